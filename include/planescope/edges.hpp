@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 the planescope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "planescope/options.hpp"
+#include "planescope/patches.hpp"
+
+/// \file Section III-B of the paper, eq. (1): every edge of the patch graph is ON (same object) or
+/// OFF.
+namespace planescope {
+
+/// The rule that decided an edge.
+enum class EdgeRule : std::uint8_t {
+  SamePlane,        ///< ON: both patches lie on the same supporting plane
+  DifferentPlanes,  ///< OFF: they lie on two
+  PlaneBoundary,    ///< OFF: one lies on a plane, the other on none
+  Convex,           ///< ON: neither on a plane, the surface bends away from the viewer
+  NearlyFlat,       ///< ON: concave, by less than the tolerance
+  Concave,          ///< OFF: concave
+  Singular,         ///< OFF: the patches touch in one place only (LCCP's sanity criterion)
+  Step,             ///< OFF: a step between parallel surfaces (LCCP's smoothness)
+  NoSupport,        ///< OFF: convex, but no common neighbour is convex to both (extended convexity)
+};
+inline constexpr std::size_t kEdgeRuleCount = 9;
+
+/// `same_plane`, `different_planes`, ... as in result.json.
+std::string_view name(EdgeRule rule);
+
+/// An edge with its state, the rule that decided, and the numbers that it was decided on. All are
+/// measured for every edge, whatever the rule.
+struct Edge {
+  std::uint32_t first = 0, second = 0;  ///< patches, first < second
+  std::uint32_t border = 0;             ///< length of the shared border [voxel pairs]
+  bool on = false;
+  EdgeRule rule = EdgeRule::Concave;
+  float normal_angle = 0;  ///< [deg] between n_i and n_j
+  float convexity = 0;  ///< [1] (n_i - n_j) . d, d the unit vector from c_j to c_i: >= 0 is convex
+  float singular_angle = 0;  ///< [deg] between d and n_i x n_j, in [0, 90]
+  float singular_limit = 0;  ///< [deg] below it the edge is singular
+  float step = 0;  ///< [m] step: the smaller of |d . n_i|, |d . n_j| times the centroids' distance
+  float step_limit = 0;       ///< [m] beyond it the edge is a step
+  std::uint32_t support = 0;  ///< common neighbours that are convex to both
+  float margin = 0;  ///< how far the deciding value lay from its threshold, as a fraction of the
+                     ///< threshold; 0 is undecided
+};
+
+/// Classifies every edge of the graph. `patch_plane`: per patch its supporting plane, or kNone.
+std::vector<Edge> classify_edges(const PatchGraph& graph,
+                                 const std::vector<std::int32_t>& patch_plane,
+                                 const EdgeOptions& options);
+
+/// Number of edges by rule, indexed by EdgeRule.
+std::array<std::size_t, kEdgeRuleCount> count_rules(const std::vector<Edge>& edges);
+
+}  // namespace planescope

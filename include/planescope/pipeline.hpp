@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 the planescope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "planescope/cloud.hpp"
+#include "planescope/edges.hpp"
+#include "planescope/options.hpp"
+#include "planescope/patches.hpp"
+#include "planescope/planes.hpp"
+#include "planescope/segments.hpp"
+
+/// \file The whole method: one call a stage, every stage's result kept.
+namespace planescope {
+
+/// A supporting plane of the scene, refitted to the patches assigned to it.
+struct SupportingPlane {
+  Plane plane;
+  std::uint32_t hypothesis = 0;  ///< index into PlaneSelection::hypotheses
+  std::uint32_t patch_count = 0;
+  std::uint32_t point_count = 0;
+  float area = 0;  ///< [m^2] of its patches
+  float rms = 0;   ///< [m] root mean square distance of its patches' centroids
+};
+
+/// Wall-clock time of each stage [ms].
+struct StageTimes {
+  double read = 0, patches = 0, hypotheses = 0, selection = 0, assignment = 0, edges = 0,
+         segments = 0;
+};
+
+/// Everything that segment() found out about a cloud.
+struct Segmentation {
+  Options options;           ///< that made it
+  PatchGraph graph;          ///< III-A
+  PlaneSelection selection;  ///< IV-A, IV-B
+  std::vector<SupportingPlane>
+      planes;  ///< supporting planes that have patches, by area, descending
+  std::vector<std::int32_t> patch_plane;  ///< IV-C, per patch: index into planes, or kNone
+  std::vector<Edge> edges;                ///< III-B, in the order of graph.adjacency
+  SegmentSet segments;
+  std::vector<std::uint32_t> point_label;  ///< per point of the cloud: segment label, or kNoSegment
+  std::vector<std::int32_t> point_plane;   ///< per point of the cloud: index into planes, or kNone
+  StageTimes times;
+};
+
+/// Runs the method on a cloud.
+/// \throws Error{Kind::Usage} options are invalid; \throws Error{Kind::Input} no finite point;
+/// \throws Error{Kind::Computation} the cloud does not fit the voxel size.
+Segmentation segment(const PointCloud& cloud, const Options& options,
+                     const Progress& progress = {});
+
+/// The scene's up direction, unit: the normal of the largest near-horizontal supporting plane.
+/// Organised views look along +z with y down (the camera frame), maps are taken as z-up unless the
+/// planes say y; where no plane decides, that prior is the answer.
+Eigen::Vector3f scene_up(const Segmentation& scene, const PointCloud& cloud);
+
+/// An edge's rule and numbers in words, one paragraph.
+std::string explain(const Segmentation& scene, const Edge& edge);
+
+}  // namespace planescope
