@@ -73,11 +73,16 @@ struct SelectionEnergy {
 std::vector<bool> minimise_selection(const SelectionEnergy& energy, PlaneSolver solver,
                                      std::uint32_t tabu_steps);
 
-/// Proposes hypotheses (IV-A: one a flat patch and a seeded sample of triples, refitted,
-/// near-duplicates merged, those that D already refuses dropped), and selects the supporting planes
-/// (IV-B).
-PlaneSelection select_planes(const PatchGraph& graph, const PlaneOptions& options,
-                             const Progress& progress = {});
+/// Proposes hypotheses (IV-A): one a flat patch and a seeded sample of triples of patches, each
+/// refitted by least squares to its inliers; near-duplicates are merged, and those that D alone
+/// already refuses (no more than lambda inliers) are dropped: V is never negative, so they cannot
+/// be part of the minimum.
+std::vector<PlaneHypothesis> propose_planes(const PatchGraph& graph, const PlaneOptions& options,
+                                            const Progress& progress = {});
+
+/// Selects the supporting planes among the hypotheses by the energy of eqs. (3) to (6) (IV-B).
+PlaneSelection select_planes(const PatchGraph& graph, std::vector<PlaneHypothesis> hypotheses,
+                             const PlaneOptions& options, const Progress& progress = {});
 
 /// Assigns each patch to a supporting plane or to none (IV-C, eq. (10)): U = r / sigma where the
 /// normal gate is passed, 2 for "no plane", Potts over the adjacency; alpha-expansion, or ICM.
