@@ -45,7 +45,7 @@ Eigen::Vector3d eigenvector(double xx, double xy, double xz, double yy, double y
   for (const Eigen::Vector3d& candidate : {r1, r2}) {
     if (candidate.squaredNorm() > row.squaredNorm()) row = candidate;
   }
-  return row.squaredNorm() > 1e-24 ? row.normalized() : Eigen::Vector3d::UnitZ();
+  return row.squaredNorm() > 1e-24 ? row.unitOrthogonal() : Eigen::Vector3d::UnitZ();
 }
 
 }  // namespace
