@@ -12,18 +12,23 @@
 namespace planescope {
 namespace {
 
-// Milliseconds since it was made or last asked.
-class Stopwatch {
+// Books the time that passes to the stage that runs.
+class StageClock {
  public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const std::chrono::duration<double, std::milli> passed = now - start_;
-    start_ = now;
-    return passed.count();
+  // Ends the running stage and starts the one that `next` counts.
+  void start(double& next) {
+    const auto now = Clock::now();
+    if (running_ != nullptr) {
+      *running_ += std::chrono::duration<double, std::milli>(now - since_).count();
+    }
+    running_ = &next;
+    since_ = now;
   }
 
  private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  using Clock = std::chrono::steady_clock;
+  double* running_ = nullptr;
+  Clock::time_point since_;
 };
 
 std::vector<Plane> selected_planes(const PlaneSelection& selection) {
@@ -55,27 +60,29 @@ Segmentation segment(const PointCloud& cloud, const Options& options, const Prog
   Segmentation scene;
   scene.options = options;
   StageTimes& times = scene.times;
-  Stopwatch watch;
+  StageClock clock;
 
+  clock.start(times.patches);
   scene.graph = make_patches(cloud, options.patches, progress);  // III-A
-  times.patches = watch.lap();
-  std::vector<PlaneHypothesis> hypotheses =
-      propose_planes(scene.graph, options.planes, progress);  // IV-A
-  times.hypotheses = watch.lap();
-  scene.selection =
-      select_planes(scene.graph, std::move(hypotheses), options.planes, progress);  // IV-B
-  times.selection = watch.lap();
+  clock.start(times.hypotheses);
+  scene.selection = select_planes(  // IV-A, IV-B
+      scene.graph, options.planes, [&](std::string_view stage, double fraction) {
+        if (stage == "selection" && fraction == 0) clock.start(times.selection);
+        if (progress) progress(stage, fraction);
+      });
+  clock.start(times.assignment);
   const std::vector<std::int32_t> assignment = assign_planes(
       scene.graph, selected_planes(scene.selection), options.planes, progress);  // IV-C
   Support support = refit_planes(scene.graph, scene.selection, assignment, options.planes);
   scene.planes = std::move(support.planes);
   scene.patch_plane = std::move(support.patch_plane);
-  times.assignment = watch.lap();
+  clock.start(times.edges);
   scene.edges = classify_edges(scene.graph, scene.patch_plane, options.edges);  // III-B, eq. (1)
-  times.edges = watch.lap();
+  clock.start(times.segments);
   scene.segments = connect_segments(scene.graph, scene.edges, scene.patch_plane, options.segments);
   label_points(scene);
-  times.segments = watch.lap();
+  double done = 0;
+  clock.start(done);
   return scene;
 }
 

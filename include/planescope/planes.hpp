@@ -76,13 +76,10 @@ std::vector<bool> minimise_selection(const SelectionEnergy& energy, PlaneSolver 
 /// Proposes hypotheses (IV-A): one a flat patch and a seeded sample of triples of patches, each
 /// refitted by least squares to its inliers; near-duplicates are merged, and those that D alone
 /// already refuses (no more than lambda inliers) are dropped: V is never negative, so they cannot
-/// be part of the minimum.
-std::vector<PlaneHypothesis> propose_planes(const PatchGraph& graph, const PlaneOptions& options,
-                                            const Progress& progress = {});
-
-/// Selects the supporting planes among the hypotheses by the energy of eqs. (3) to (6) (IV-B).
-PlaneSelection select_planes(const PatchGraph& graph, std::vector<PlaneHypothesis> hypotheses,
-                             const PlaneOptions& options, const Progress& progress = {});
+/// be part of the minimum. Then selects the supporting planes among them by the energy of eqs. (3)
+/// to (6) (IV-B). Reports progress as `hypotheses`, then `selection`.
+PlaneSelection select_planes(const PatchGraph& graph, const PlaneOptions& options,
+                             const Progress& progress = {});
 
 /// Assigns each patch to a supporting plane or to none (IV-C, eq. (10)): U = r / sigma where the
 /// normal gate is passed, 2 for "no plane", Potts over the adjacency; alpha-expansion, or ICM.
