@@ -55,8 +55,7 @@ Json options_json(const Options& options) {
 
 Json scale_json(const PointCloud& cloud) {
   const CloudScale scale = measure_scale(cloud);
-  return {
-      {"spacing", scale.spacing}, {"noise", scale.noise}, {"extent", vector(scale.extent)}};
+  return {{"spacing", scale.spacing}, {"noise", scale.noise}, {"extent", vector(scale.extent)}};
 }
 
 Json planes_json(const Segmentation& scene) {
@@ -94,12 +93,9 @@ Json rejected_json(const PlaneSelection& selection) {
 }
 
 Json hypotheses_json(const PlaneSelection& selection) {
-  return {{"proposed", selection.proposed},
-          {"entered", selection.hypotheses.size()},
-          {"selected", selection.selected},
-          {"lambda", selection.lambda},
-          {"energy", selection.energy},
-          {"rejected", rejected_json(selection)}};
+  return {{"proposed", selection.proposed}, {"entered", selection.hypotheses.size()},
+          {"selected", selection.selected}, {"lambda", selection.lambda},
+          {"energy", selection.energy},     {"rejected", rejected_json(selection)}};
 }
 
 Json segments_json(const Segmentation& scene) {
@@ -128,16 +124,17 @@ Json edges_json(const std::vector<Edge>& edges) {
           {"by_rule", std::move(rules)}};
 }
 
-/// One line a number, record or vector: short to read, and a diff of two results names the plane
-/// that moved.
-std::string lay_out(const Json& value, int depth = 0) {
-  const auto plain = [](const Json& item) { return !item.is_structured(); };
-  if (!value.is_structured() || value.empty() || depth == 3 ||
-      (depth > 1 && value.is_object()) || std::ranges::all_of(value, plain)) {
-    const bool record = depth < 2 && value.is_object() && !value.empty();
-    if (!record) return value.dump();
-  }
-  const std::string indent(static_cast<std::size_t>(depth + 1), ' ');
+bool holds_records(const Json& value) {
+  return value.is_array() &&
+         std::ranges::any_of(value, [](const Json& v) { return v.is_object(); });
+}
+
+/// One line a number, vector or record: short to read, and a diff of two results names the plane
+/// that moved. File names need not be UTF-8; JSON must.
+std::string lay_out(const Json& value, std::size_t depth = 0) {
+  const bool broken = holds_records(value) || (value.is_object() && depth < 2);
+  if (!broken) return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const std::string indent(depth + 1, ' ');
   std::string out(1, value.is_object() ? '{' : '[');
   for (auto item = value.begin(); item != value.end(); ++item) {
     out += (item == value.begin() ? "\n" : ",\n") + indent;

@@ -12,15 +12,14 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "PCD's binary layout is little-endian");
 
-bool shifted(const Result& result) { return !result.cloud.origin.isZero(0); }
+bool shifted(const PointCloud& cloud) { return !cloud.origin.isZero(0); }
 
-std::size_t point_bytes(const Result& result) { return (shifted(result) ? 24u : 12u) + 16u; }
+std::size_t point_bytes(const PointCloud& cloud) { return (shifted(cloud) ? 24u : 12u) + 16u; }
 
 /// The header is a function of the numbers in result.json, so that a file that does not belong to
 /// it is noticed by its first bytes.
-std::string header(const Result& result) {
-  const PointCloud& cloud = result.cloud;
-  const std::string size = shifted(result) ? "8 8 8" : "4 4 4";
+std::string header(const PointCloud& cloud) {
+  const std::string size = shifted(cloud) ? "8 8 8" : "4 4 4";
   return "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n"
          "FIELDS x y z rgb label plane patch\nSIZE " +
          size + " 4 4 4 4\nTYPE F F F F U I I\nCOUNT 1 1 1 1 1 1 1\nWIDTH " +
@@ -38,7 +37,7 @@ void put(char*& out, const T& value) {
 template <class T>
 T get(const char*& in) {
   T value;
-  std::memcpy(&value, in, sizeof value);
+  std::memcpy(static_cast<void*>(&value), in, sizeof value);
   in += sizeof value;
   return value;
 }
@@ -54,33 +53,33 @@ std::uint32_t pack(Rgb c) {
 
 }  // namespace
 
-std::string points_pcd(const Result& result) {
-  const PointCloud& cloud = result.cloud;
-  std::string bytes = header(result);
+std::string points_pcd(const ResultPoints& points) {
+  const PointCloud& cloud = points.cloud;
+  std::string bytes = header(cloud);
   const std::size_t start = bytes.size();
-  bytes.resize(start + cloud.size() * point_bytes(result));
+  bytes.resize(start + cloud.size() * point_bytes(cloud));
   char* out = bytes.data() + start;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (shifted(result)) {
+    if (shifted(cloud)) {
       put(out, Eigen::Vector3d(cloud.origin + cloud.positions[i].cast<double>()));
     } else {
       put(out, cloud.positions[i]);
     }
     put(out, cloud.has_colors() ? pack(cloud.colors[i]) : 0u);
-    put(out, result.point_label[i]);
-    put(out, result.point_plane[i]);
-    put(out, result.point_patch[i]);
+    put(out, points.label[i]);
+    put(out, points.plane[i]);
+    put(out, points.patch[i]);
   }
   return bytes;
 }
 
-void parse_points_pcd(const std::string& bytes, const std::filesystem::path& file, Result& result) {
+void parse_points_pcd(std::string_view bytes, const std::filesystem::path& file, Result& result) {
   PointCloud& cloud = result.cloud;
-  const std::string expected = header(result);
+  const std::string expected = header(cloud);
   const std::size_t count = std::size_t{cloud.width} * cloud.height;
   if (!bytes.starts_with(expected) ||
-      (bytes.size() - expected.size()) / point_bytes(result) != count ||
-      (bytes.size() - expected.size()) % point_bytes(result) != 0) {
+      (bytes.size() - expected.size()) / point_bytes(cloud) != count ||
+      (bytes.size() - expected.size()) % point_bytes(cloud) != 0) {
     throw Error(Error::Kind::Input, file.string() + ": not the " + std::to_string(count) +
                                         " points that result.json beside it tells of; run "
                                         "`planescope segment` again");
@@ -92,9 +91,8 @@ void parse_points_pcd(const std::string& bytes, const std::filesystem::path& fil
   result.point_patch.resize(count);
   const char* in = bytes.data() + expected.size();
   for (std::size_t i = 0; i < count; ++i) {
-    cloud.positions[i] = shifted(result)
-                             ? (get<Eigen::Vector3d>(in) - cloud.origin).cast<float>()
-                             : get<Eigen::Vector3f>(in);
+    cloud.positions[i] = shifted(cloud) ? (get<Eigen::Vector3d>(in) - cloud.origin).cast<float>()
+                                        : get<Eigen::Vector3f>(in);
     const Rgb color = unpack(get<std::uint32_t>(in));
     if (result.has_colors) cloud.colors[i] = color;
     result.point_label[i] = get<std::uint32_t>(in);
