@@ -24,8 +24,12 @@ struct Overloaded : Ts... {
 template <class Number>
 std::string text(Number value) {
   char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
-  return {buffer, end};
+  if constexpr (std::is_floating_point_v<Number>) {  // 0.0001 rather than 1e-04, where it fits
+    const auto [end, failure] =
+        std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed);
+    if (failure == std::errc()) return {buffer, end};
+  }
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
 }
 
 std::string join(std::span<const std::string_view> names) {

@@ -120,11 +120,20 @@ TEST(OptionTable, TextReadsBackToTheSameValue) {
   }
 }
 
+TEST(OptionTable, TextIsReadableAndHoldsTinyValuesToo) {
+  Options o;
+  o.planes.sigma = 0.0001;
+  EXPECT_EQ(get_option(o, "planes.sigma"), "0.0001");
+  o.planes.weight_angle = 1.25e-300;
+  EXPECT_EQ(get_option(o, "planes.weight_angle"), "1.25e-300");
+}
+
 TEST(OptionTable, UnknownNameSuggestsTheNearest) {
   Options o;
   EXPECT_TRUE(contains(usage_error([&] { set_option(o, "planes.sgima", "1"); }), "planes.sigma"));
   EXPECT_TRUE(contains(usage_error([&] { set_option(o, "voxelsize", "1"); }), "voxel_size"));
-  EXPECT_TRUE(contains(usage_error([&] { (void)get_option(o, "singularangle"); }), "singular_angle"));
+  EXPECT_TRUE(
+      contains(usage_error([&] { (void)get_option(o, "singularangle"); }), "singular_angle"));
   EXPECT_THROW((void)get_option(o, ""), Error);
 }
 
@@ -133,7 +142,7 @@ TEST(OptionTable, BadTextIsRefusedAndNamesTheRange) {
     Options o;
     return usage_error([&] { set_option(o, name, value); });
   };
-  EXPECT_EQ(set("planes.sigma", "-1"), "planes.sigma is `-1`; it takes 1e-05 to 10 m");
+  EXPECT_EQ(set("planes.sigma", "-1"), "planes.sigma is `-1`; it takes 0.00001 to 10 m");
   EXPECT_EQ(set("edges.extended_convexity", "maybe"),
             "edges.extended_convexity is `maybe`; it takes true | false");
   EXPECT_EQ(set("planes.solver", "best"),
