@@ -33,7 +33,10 @@ class Entries {
  public:
   explicit Entries(const InputFile& file) : file_(file) {
     HeaderLines lines(file);
-    while (!has("DATA")) add(lines.next("DATA"), lines.line());
+    while (!has("DATA")) {
+      const std::vector<std::string_view>& words = lines.next("DATA");
+      add(words, lines.line());
+    }
     data_offset = lines.offset();
     data_line = lines.line() + 1;
   }

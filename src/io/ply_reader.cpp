@@ -46,7 +46,8 @@ class RecordWalker {
           skip(field);
           continue;
         }
-        const std::span<const std::byte> number = cursor_.take(size_of(field.type), field.name);
+        const std::span<const std::byte> number =
+            cursor_.take(size_of(field.type), "the property " + field.name);
         std::byte* to = columns.at(column++, i);
         std::memcpy(to, number.data(), number.size());
         if (swapped_) std::reverse(to, to + number.size());
@@ -59,7 +60,7 @@ class RecordWalker {
     std::uint64_t count = 1;
     if (field.list) {
       const std::uint64_t place = cursor_.offset();
-      const std::byte* at = cursor_.take(size_of(*field.list), field.name).data();
+      const std::byte* at = cursor_.take(size_of(*field.list), "the property " + field.name).data();
       count = visit(*field.list, [&]<class T>() { return length(load<T>(at, swapped_), place); });
     }
     cursor_.skip(count, size_of(field.type), "the property " + field.name);

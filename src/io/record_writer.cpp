@@ -8,6 +8,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "io/output_file.hpp"
@@ -27,6 +28,12 @@ char* print(char* to, const std::byte* from) {
   return std::to_chars(to, to + kLongestNumber, value).ptr;
 }
 
+/// Memory of a block, and what of it is to be written.
+struct Block {
+  std::string records, text;
+  std::string_view bytes;
+};
+
 /// Makes blocks of records, as bytes or as lines.
 class RecordMaker {
  public:
@@ -38,23 +45,27 @@ class RecordMaker {
 
   std::size_t blocks() const { return (points_ + block_points_ - 1) / block_points_; }
 
-  std::string block(std::size_t index) const {
+  /// Makes block index; block's memory is used again. Returns what is to be written.
+  std::string_view make(std::size_t index, Block& block) const {
     const std::size_t first = index * block_points_;
     const std::size_t count = std::min(block_points_, points_ - first);
-    std::string records(count * stride_, '\0');
+    block.records.resize(count * stride_);
     std::size_t offset = 0;
     for (const OutField& field : fields_) {
-      field.fill(first, count, reinterpret_cast<std::byte*>(records.data()) + offset, stride_);
+      field.fill(first, count, reinterpret_cast<std::byte*>(block.records.data()) + offset,
+                 stride_);
       offset += size_of(field.type);
     }
-    return encoding_ == CloudEncoding::Ascii ? lines(records, count) : records;
+    if (encoding_ == CloudEncoding::Binary) return block.records;
+    block.text.resize(count * fields_.size() * kLongestNumber);
+    return {block.text.data(), print_lines(block, count)};
   }
 
  private:
-  std::string lines(const std::string& records, std::size_t count) const {
-    std::string text(count * fields_.size() * kLongestNumber, '\0');
-    char* to = text.data();
-    const auto* from = reinterpret_cast<const std::byte*>(records.data());
+  /// Prints the records, one line each; the length of the text.
+  std::size_t print_lines(Block& block, std::size_t count) const {
+    char* to = block.text.data();
+    const auto* from = reinterpret_cast<const std::byte*>(block.records.data());
     for (std::size_t i = 0; i < count; ++i) {
       for (const OutField& field : fields_) {
         to = visit(field.type, [&]<class T>() { return print<T>(to, from); });
@@ -63,8 +74,7 @@ class RecordMaker {
       }
       to[-1] = '\n';
     }
-    text.resize(static_cast<std::size_t>(to - text.data()));
-    return text;
+    return static_cast<std::size_t>(to - block.text.data());
   }
 
   const std::vector<OutField>& fields_;
@@ -139,6 +149,9 @@ void write_records(const std::filesystem::path& file, const std::string& header,
   OutputFile out(file);
   out.write(header);
   const RecordMaker maker(fields, points, encoding);
+  // Blocks on their way are consecutive and at most as many as these: none shares its memory. They
+  // are owned here, not by the pipeline, which leaks what is on its way when the disk is full.
+  std::array<Block, kBlocksAtOnce> ring;
   std::size_t next = 0;
   const auto number = tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order,
                                                           [&](tbb::flow_control& control) {
@@ -146,10 +159,15 @@ void write_records(const std::filesystem::path& file, const std::string& header,
                                                               control.stop();
                                                             return next++;
                                                           });
-  const auto make = tbb::make_filter<std::size_t, std::string>(
-      tbb::filter_mode::parallel, [&](std::size_t block) { return maker.block(block); });
-  const auto write = tbb::make_filter<std::string, void>(
-      tbb::filter_mode::serial_in_order, [&](const std::string& block) { out.write(block); });
+  const auto make = tbb::make_filter<std::size_t, std::size_t>(
+      tbb::filter_mode::parallel, [&](std::size_t index) {
+        Block& block = ring[index % kBlocksAtOnce];
+        block.bytes = maker.make(index, block);
+        return index;
+      });
+  const auto write = tbb::make_filter<std::size_t, void>(
+      tbb::filter_mode::serial_in_order,
+      [&](std::size_t index) { out.write(ring[index % kBlocksAtOnce].bytes); });
   tbb::parallel_pipeline(kBlocksAtOnce, number & make & write);
   out.commit();
 }
