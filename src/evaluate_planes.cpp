@@ -7,6 +7,8 @@
 #include <optional>
 #include <tuple>
 
+#include <Eigen/Geometry>
+
 #include "planescope/evaluate.hpp"
 
 namespace planescope {
