@@ -160,16 +160,19 @@ SurfacePoint SurfaceGeometry::describe(const Vector3d& local) const {
 }
 
 double SurfaceGeometry::intersect(const Ray& ray) const {
-  const Vector3d from = pose.linear().transpose() * (ray.origin - pose.translation());
-  const Vector3d along = pose.linear().transpose() * ray.direction;
+  const Vector3d apart = ray.origin - pose.translation();
   if (planar()) {
-    if (along.z() >= 0 || from.z() <= 0) return kNoHit;
-    const double t = -from.z() / along.z();
-    const double x = from.x() + t * along.x(), y = from.y() + t * along.y();
+    const double along_normal = normal().dot(ray.direction), height = normal().dot(apart);
+    if (along_normal >= 0 || height <= 0) return kNoHit;
+    const double t = -height / along_normal;
+    const Vector3d on_plane = apart + t * ray.direction;
+    const double x = pose.linear().col(0).dot(on_plane), y = pose.linear().col(1).dot(on_plane);
     const bool inside = shape == SurfaceShape::Rectangle ? std::abs(x) <= a && std::abs(y) <= b
                                                          : x * x + y * y <= a * a;
     return inside ? t : kNoHit;
   }
+  const Vector3d from = pose.linear().transpose() * apart;
+  const Vector3d along = pose.linear().transpose() * ray.direction;
   // |from + t along|^2 = a^2 in three (sphere) or two (cylinder) dimensions; the nearer root.
   const Eigen::Index n = shape == SurfaceShape::Sphere ? 3 : 2;
   const double p = along.head(n).squaredNorm(), q = from.head(n).dot(along.head(n));

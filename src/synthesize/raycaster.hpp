@@ -15,9 +15,8 @@ struct Hit {
   std::int32_t surface = kNone;
 };
 
-/// Finds what a ray meets first, exactly, by a hierarchy of boxes around the surfaces (split in
-/// half along the longest axis). Surfaces are seen from their outer side only. Keeps a reference to
-/// the scene.
+/// Finds what a ray meets first, exactly, by a hierarchy of boxes around the surfaces. Surfaces are
+/// seen from their outer side only. Keeps a reference to the scene.
 class RayCaster {
  public:
   explicit RayCaster(const Scene& scene);
@@ -34,6 +33,7 @@ class RayCaster {
     std::uint32_t right = 0;  // second child of an inner node (the first one is next); leaf: 0
   };
 
+  void meet(const Node& leaf, const Ray& ray, Hit& hit) const;
   void build(std::uint32_t first, std::uint32_t count, const std::vector<Box3d>& boxes);
 
   const Scene& scene_;

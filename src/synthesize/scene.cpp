@@ -163,8 +163,8 @@ VisiblePart Scene::visible_part(const Surface& surface,
   const double round = 2 * std::numbers::pi * geometry.a;
   const double width = square_map ? 2 * geometry.a : round;
   const double height = geometry.shape == SurfaceShape::Disc ? geometry.a : 2 * geometry.b;
-  const int columns = std::clamp(static_cast<int>(width / kCell), 16, 512);
-  const int rows = std::clamp(static_cast<int>(height / kCell), 16, 512);
+  const int columns = std::clamp(static_cast<int>(width / kCell), 16, 256);
+  const int rows = std::clamp(static_cast<int>(height / kCell), 16, 256);
   VisiblePart part;
   std::size_t free = 0;
   for (int row = 0; row < rows; ++row) {
