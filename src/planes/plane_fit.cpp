@@ -73,7 +73,8 @@ Plane fit_plane(const PatchIndex& index, const Bits& members, const Plane& previ
   const bool fixed = pca.eigenvalues()(1) > sigma * sigma;
   Eigen::Vector3d normal = fixed ? Eigen::Vector3d(pca.eigenvectors().col(0)) : m.normals;
   if (normal.norm() == 0) normal = previous.normal.cast<double>();
-  return orient_plane(index, members, through(normal.normalized(), mean + shift));
+  if (normal.dot(previous.normal.cast<double>()) < 0) normal = -normal;
+  return through(normal.normalized(), mean + shift);
 }
 
 }  // namespace planescope

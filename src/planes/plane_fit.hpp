@@ -15,7 +15,7 @@ namespace planescope {
 /// inlier of it by its flank would tilt the wall by a degree, and eq. (6) charges for degrees.
 /// Where the centroids do not fix a plane (fewer than three, or a strip whose standard deviation
 /// across is under `sigma`, so that noise alone could tilt it), the normal is the mean of the
-/// members' normals instead. The normal points the way of most members' normals.
+/// members' normals instead. The normal stays on the side of the previous one.
 /// \param previous the plane so far; comes back if no member is nearer than sigma to it.
 /// \param sigma [m] inlier distance.
 Plane fit_plane(const PatchIndex& index, const Bits& members, const Plane& previous, double sigma);
