@@ -47,8 +47,10 @@ std::string describe(const CLI::App& program, const CLI::ParseError& error) {
   const auto words = program.remaining(true);
   const bool extra = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
   if (words.empty() || (!extra && !program.get_subcommands().empty())) return error.what();
-  const auto option = std::ranges::find_if(words, [](auto& w) { return w.starts_with("-"); });
-  const std::string word = option != words.end() ? *option : words.back();
+  const bool option_sought = !program.get_subcommands().empty();
+  const auto found = std::ranges::find_if(
+      words, [&](const std::string& w) { return w.starts_with("-") == option_sought; });
+  const std::string word = found != words.end() ? *found : words.back();
   return "`" + word + "` is not expected here" + suggestion(program, word);
 }
 
