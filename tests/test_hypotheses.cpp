@@ -37,7 +37,7 @@ std::int64_t find(const PlaneSelection& found, const Eigen::Vector4f& plane) {
 
 TEST(Bits, CountAgainstOneByOne) {
   std::mt19937_64 random(1);
-  for (const std::size_t words : {0, 1, 30, 31, 32, 100}) {
+  for (const std::size_t words : {0u, 1u, 30u, 31u, 32u, 100u}) {
     Bits a(words), b(words);
     std::uint32_t in_a = 0, in_both = 0, visited = 0;
     for (std::size_t w = 0; w < words; ++w) a[w] = random(), b[w] = w % 7 == 3 ? ~0ull : random();

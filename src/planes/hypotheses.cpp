@@ -18,7 +18,7 @@ namespace {
 /// independently, one such plane in 4,000 would keep fewer than 10.
 constexpr double kSampleSupport = 24;
 constexpr double kSmallestSample = 8192;
-constexpr double kPatchTests = 1.5e8;  // bounds the fits on the sample to about a tenth of a second
+constexpr double kPatchTests = 6e7;  // bounds the fits on the sample to about 0.3 s of one core
 constexpr double kFewestFits = 512;
 
 bool near_duplicate(const Hypothesis& large, const Hypothesis& small) {
