@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 the planescope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <tbb/global_control.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/command.hpp"
+#include "cli/console.hpp"
+#include "cli/engine_arguments.hpp"
+#include "cli/run_info.hpp"
+#include "cli/staged_folder.hpp"
+#include "cli/values.hpp"
+#include "io/whole_file.hpp"
+#include "planescope/io.hpp"
+#include "planescope/pipeline.hpp"
+#include "planescope/render.hpp"
+#include "planescope/result.hpp"
+
+namespace planescope::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using TbbLimit = tbb::global_control;
+
+struct Arguments {
+  Console console;
+  EngineArguments engine;
+  CameraArguments camera;
+  std::filesystem::path scene, folder;
+  bool no_pictures = false;
+  std::size_t threads = 0;
+  std::uint64_t max_points = ReadLimits{}.max_points;
+};
+
+/// A length for people: `7.5 mm`, `2.31 m`.
+std::string length(double metres) {
+  char text[32];
+  const bool small = metres < 0.1;
+  std::snprintf(text, sizeof text, small ? "%.3g mm" : "%.3g m", small ? metres * 1000 : metres);
+  return text;
+}
+
+/// What --preset auto chose, and from what.
+std::string describe_choice(const PointCloud& cloud, const Options& options) {
+  const CloudScale scale = measure_scale(cloud);
+  return "preset auto: spacing " + length(scale.spacing) + ", noise " + length(scale.noise) +
+         ", extent " + length(scale.extent.x()) + " x " + length(scale.extent.y()) + " x " +
+         length(scale.extent.z()) + "; using --voxel-size " +
+         get_option(options, "patches.voxel_size") + " --patch-size " +
+         get_option(options, "patches.patch_size") + " --planes.sigma " +
+         get_option(options, "planes.sigma") + " --planes.min_area " +
+         get_option(options, "planes.min_area");
+}
+
+std::string describe_scene(const Segmentation& scene, const PointCloud& cloud) {
+  const auto on = std::ranges::count(scene.edges, true, &Edge::on);
+  return std::to_string(cloud.size()) + " points, " + std::to_string(scene.graph.patches.size()) +
+         " patches, " + std::to_string(scene.planes.size()) + " planes, " +
+         std::to_string(scene.edges.size()) + " edges (" + std::to_string(on) + " ON, " +
+         std::to_string(std::ssize(scene.edges) - on) + " OFF), " +
+         std::to_string(scene.segments.segments.size()) + " segments";
+}
+
+Segmentation compute(const Arguments& a, const PointCloud& cloud) {
+  const Options options = a.engine.resolve(cloud);
+  if (a.engine.preset() == "auto" && !a.console.quiet) {
+    a.console.say(describe_choice(cloud, options));
+  }
+  for (const OptionInfo& info : option_table()) {
+    a.console.detail("  " + info.name + " = " + get_option(options, info.name));
+  }
+  return segment(cloud, options, a.console.progress());
+}
+
+/// Files of a result folder that a run without pictures does not write.
+const std::vector<std::string> kPictures = {"overview.png", "segments.png", "planes.png",
+                                            "graph.png"};
+
+/// All outputs, in place only when all of them are whole.
+void write(const Arguments& a, const RenderOptions& drawing, const Segmentation& scene,
+           const PointCloud& cloud, RunInfo& run, const Stopwatch& since_start) {
+  const InputInfo input{a.scene.filename().string(), hash_file(a.scene)};
+  StagedFolder staged(a.folder);
+  Stopwatch watch;
+  save(scene, cloud, staged.path(), input);
+  save_geometry(scene, cloud, staged.path());
+  run.write = watch.lap();
+  if (!a.no_pictures) render_pictures(scene, cloud, drawing, staged.path(), input);
+  run.pictures = watch.lap();
+  run.total = Stopwatch(since_start).lap();
+  write_whole(staged.path() / "run.json", run.json());
+  std::string names;
+  for (const std::string& name : staged.publish("result.json", kPictures)) names += " " + name;
+  a.console.say(a.folder.string() + ":" + names);
+}
+
+void print_json(const Arguments& a) {
+  Json all = {{"folder", a.folder.string()}};
+  for (const char* part : {"result", "run"}) {
+    std::ifstream in(a.folder / (std::string(part) + ".json"));
+    all[part] = Json::parse(in);
+  }
+  const std::string text = all.dump(1, ' ', false, Json::error_handler_t::replace);
+  std::printf("%s\n", text.c_str());
+}
+
+void run(Arguments& a) {
+  const Stopwatch since_start;
+  a.engine.check();
+  RenderOptions drawing;
+  a.camera.apply(drawing);
+  check_writable(a.folder);
+  std::unique_ptr<TbbLimit> limit;
+  if (a.threads > 0) {
+    limit = std::make_unique<TbbLimit>(TbbLimit::max_allowed_parallelism, a.threads);
+  }
+  RunInfo info;
+  info.threads = TbbLimit::active_value(TbbLimit::max_allowed_parallelism);
+  Stopwatch watch;
+  const PointCloud cloud = read_cloud(a.scene, {.max_points = a.max_points});
+  const double read_time = watch.lap();
+  const Segmentation scene = compute(a, cloud);
+  info.stages = scene.times;
+  info.stages.read = read_time;
+  a.console.say(describe_scene(scene, cloud));
+  write(a, drawing, scene, cloud, info, since_start);
+  a.console.detail(info.brief());
+  if (a.console.json) print_json(a);
+}
+
+}  // namespace
+
+Command add_segment(CLI::App& program) {
+  const auto a = std::make_shared<Arguments>();
+  CLI::App* command = program.add_subcommand("segment", "Segment a point cloud, and draw it");
+  command->add_option("SCENE", a->scene, "Point cloud: PCD or PLY")->required();
+  command->add_option("-o,--output", a->folder, "Folder for the result, made where it is missing")
+      ->required()
+      ->type_name("DIR");
+  a->engine.declare(*command);
+  a->camera.declare(*command);
+  command->add_flag("--no-pictures", a->no_pictures, "Write no PNG (needs no OpenGL)");
+  command->add_option("--threads", a->threads, "Threads at most (all); the result is the same")
+      ->type_name("N");
+  command->add_option("--max-points", a->max_points, "Refuse clouds of more points")
+      ->type_name("N");
+  a->console.declare(*command);
+  return {command, [a] { run(*a); }};
+}
+
+}  // namespace planescope::cli

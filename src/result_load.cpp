@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: 2026 the planescope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "planescope/error.hpp"
+#include "planescope/result.hpp"
+#include "result_hash.hpp"
+#include "result_points.hpp"
+
+/// \file load_result(): someone may have edited the folder, so nothing in it is believed.
+namespace planescope {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+constexpr std::uint32_t kMaxCount = std::numeric_limits<std::int32_t>::max();
+
+std::string read_whole(const fs::path& file) {
+  std::error_code failure;
+  const auto size = fs::file_size(file, failure);
+  std::ifstream in(file, std::ios::binary);
+  std::string bytes(failure ? 0 : size, '\0');
+  if (failure || !in.read(bytes.data(), static_cast<std::streamsize>(size))) {
+    throw Error(Error::Kind::Input,
+                file.string() + ": cannot be read; a result folder of `planescope segment` has it");
+  }
+  return bytes;
+}
+
+/// A value of result.json and how it is called, for messages.
+class Node {
+ public:
+  Node(const Json& json, const fs::path& file, std::string name)
+      : json_(json), file_(file), name_(std::move(name)) {}
+
+  [[noreturn]] void fail(const std::string& expected) const {
+    throw Error(Error::Kind::Input, file_.string() + ": " + name_ + " should be " + expected +
+                                        "; run `planescope segment` again");
+  }
+
+  Node operator[](const char* key) const {
+    if (!json_.is_object() || !json_.contains(key))
+      fail("an object with `" + std::string(key) + "`");
+    return {json_.at(key), file_, name_.empty() ? key : name_ + "." + key};
+  }
+
+  std::vector<Node> items() const {
+    if (!json_.is_array()) fail("a list");
+    std::vector<Node> all;
+    for (const Json& item : json_) {
+      all.emplace_back(item, file_, name_ + "[" + std::to_string(all.size()) + "]");
+    }
+    return all;
+  }
+
+  std::uint32_t count(std::uint32_t limit = kMaxCount) const {
+    if (!json_.is_number_unsigned() || json_.get<std::uint64_t>() > limit) {
+      fail("a whole number from 0 to " + std::to_string(limit));
+    }
+    return json_.get<std::uint32_t>();
+  }
+
+  double number() const {
+    if (!json_.is_number() || !std::isfinite(json_.get<double>())) fail("a number");
+    return json_.get<double>();
+  }
+  float real() const { return static_cast<float>(number()); }
+
+  Eigen::Vector3d vector() const {
+    const auto parts = items();
+    if (parts.size() != 3) fail("three numbers");
+    return {parts[0].number(), parts[1].number(), parts[2].number()};
+  }
+
+  Eigen::Vector3f unit() const {
+    const Eigen::Vector3f v = vector().cast<float>();
+    if (!(std::abs(v.norm() - 1) < 1e-3f)) fail("a unit vector");
+    return v;
+  }
+
+  bool null() const { return json_.is_null(); }
+  bool flag() const {
+    if (!json_.is_boolean()) fail("true or false");
+    return json_.get<bool>();
+  }
+  std::string text() const {
+    if (!json_.is_string()) fail("a text");
+    return json_.get<std::string>();
+  }
+
+ private:
+  const Json& json_;
+  const fs::path& file_;
+  std::string name_;
+};
+
+Json parse(const fs::path& file) {
+  const std::string text = read_whole(file);
+  try {
+    return Json::parse(text);
+  } catch (const Json::parse_error& error) {
+    throw Error(Error::Kind::Input, file.string() + ", byte " + std::to_string(error.byte) +
+                                        ": not JSON; run `planescope segment` again");
+  }
+}
+
+void read_input(const Node& input, Result& result) {
+  PointCloud& cloud = result.cloud;
+  result.input_name = input["name"].text();
+  result.has_colors = input["has_color"].flag();
+  cloud.width = input["width"].count();
+  cloud.height = input["height"].count();
+  cloud.origin = input["origin"].vector();
+  if (!input["sensor"].null()) cloud.sensor = input["sensor"].vector().cast<float>();
+  if (std::uint64_t{cloud.width} * cloud.height != input["points"].count()) {
+    input["points"].fail("width x height");
+  }
+}
+
+SupportingPlane read_plane(const Node& node, std::size_t index) {
+  if (node["id"].count() != index) node["id"].fail(std::to_string(index));
+  SupportingPlane plane;
+  plane.plane = {node["normal"].unit(), node["distance"].real()};
+  plane.hypothesis = node["hypothesis"].count();
+  plane.patch_count = node["patches"].count();
+  plane.point_count = node["points"].count();
+  plane.area = node["area"].real();
+  plane.rms = node["rms"].real();
+  return plane;
+}
+
+Segment read_segment(const Node& node, std::size_t index, std::size_t planes) {
+  if (node["label"].count() != index + 1) node["label"].fail(std::to_string(index + 1));
+  Segment segment;
+  segment.label = node["label"].count();
+  if (!node["plane"].null()) {
+    if (planes == 0) node["plane"].fail("null: there is no plane");
+    const auto last = static_cast<std::uint32_t>(planes - 1);
+    segment.plane = static_cast<std::int32_t>(node["plane"].count(last));
+  }
+  segment.patch_count = node["patches"].count();
+  segment.point_count = node["points"].count();
+  segment.area = node["area"].real();
+  segment.centroid = node["centroid"].vector().cast<float>();
+  return segment;
+}
+
+void read_json(const Node& root, Result& result) {
+  if (root["schema"].count() != static_cast<std::uint32_t>(kResultSchema)) {
+    root["schema"].fail(std::to_string(kResultSchema) + ", which this planescope reads");
+  }
+  read_input(root["input"], result);
+  result.voxel_size = root["options"]["patches.voxel_size"].number();
+  result.patch_size = root["options"]["patches.patch_size"].number();
+  if (!(result.voxel_size > 0)) root["options"]["patches.voxel_size"].fail("more than 0");
+  if (!(result.patch_size > 0)) root["options"]["patches.patch_size"].fail("more than 0");
+  result.up = root["up"].unit();
+  result.patch_count = root["patches"].count();
+  for (const Node& node : root["planes"].items()) {
+    result.planes.push_back(read_plane(node, result.planes.size()));
+  }
+  for (const Node& node : root["segments"].items()) {
+    result.segments.push_back(read_segment(node, result.segments.size(), result.planes.size()));
+  }
+  for (std::size_t rule = 0; rule < kEdgeRuleCount; ++rule) {
+    const std::string key(name(static_cast<EdgeRule>(rule)));
+    result.rule_counts.push_back(root["edges"]["by_rule"][key.c_str()].count());
+  }
+}
+
+/// Labels, planes and patches of points must be ones that result.json knows.
+void check_points(const Result& result, const fs::path& file) {
+  const auto in_range = [](std::int32_t index, std::size_t size) {
+    return index >= kNone && index < static_cast<std::int64_t>(size);
+  };
+  for (std::size_t i = 0; i < result.cloud.size(); ++i) {
+    const bool labelled = result.point_label[i] != kNoSegment;
+    if (result.point_label[i] > result.segments.size() ||
+        !in_range(result.point_plane[i], result.planes.size()) ||
+        !in_range(result.point_patch[i], result.patch_count) ||
+        (labelled && !is_finite(result.cloud.positions[i]))) {
+      throw Error(Error::Kind::Input, file.string() + ": point " + std::to_string(i) +
+                                          " has a label, plane or patch that result.json does not "
+                                          "know; run `planescope segment` again");
+    }
+  }
+}
+
+}  // namespace
+
+Result load_result(const fs::path& folder) {
+  if (!fs::is_directory(folder)) {
+    throw Error(Error::Kind::Input, folder.string() +
+                                        ": not a folder; name one that `planescope segment -o` "
+                                        "made");
+  }
+  const fs::path json_file = folder / "result.json", points_file = folder / "points.pcd";
+  const Json json = parse(json_file);
+  const Node root(json, json_file, "");
+  Result result;
+  read_json(root, result);
+  const std::string points = read_whole(points_file);
+  parse_points_pcd(points, points_file, result);
+  check_points(result, points_file);
+  FileHash hash;
+  hash.add(points);
+  if (hash.hex() != root["points_hash"].text()) {
+    throw Error(Error::Kind::Input, points_file.string() +
+                                        ": not the file that result.json beside it was written "
+                                        "with; run `planescope segment` again");
+  }
+  return result;
+}
+
+}  // namespace planescope
