@@ -74,8 +74,7 @@ struct EdgeOptions {
   double smoothness_tolerance =
       0.1;  ///< [1] allowed step, in voxel sizes, beyond what the normals explain
   double singular_angle = 60.0;  ///< [deg] upper end of LCCP's sanity criterion; 0 switches it off
-  bool extended_convexity =
-      true;  ///< a convex edge needs a common neighbour that is convex to both
+  bool extended_convexity = false;  ///< a convex edge needs a common neighbour that is convex to both
 };
 
 /// Connected components of ON edges.
