@@ -21,12 +21,13 @@ struct ReadLimits {
 /// Reads a PCD (ascii, binary, binary_compressed) or PLY (ascii, little or big endian) file; the
 /// content's magic decides, not the name. Fields: x y z (float or double; required), rgb | rgba |
 /// red green blue, normal_x normal_y normal_z | nx ny nz, label. Others, and PLY elements other
-/// than `vertex`, are skipped. Organised PCD files keep width and height, and their VIEWPOINT is
-/// taken as the sensor's position. Coordinates further than 1 km from the origin are shifted in
-/// double before they become float: `origin` then holds the shift (a whole number of metres),
-/// otherwise it is zero. Without NaN, PCD's usual (0,0,0) is an ordinary point. \throws
-/// Error{Kind::Input} missing, malformed, truncated or empty file, with line or byte offset; no
-/// finite point.
+/// than `vertex`, are skipped. Organised PCD files keep width and height (a single column is a
+/// list), and their VIEWPOINT is taken as the sensor's position; that of a list only where it is
+/// not (0,0,0). A cloud that lies further than 1 km from the origin is shifted in double before it
+/// becomes float: `origin` then holds the shift (whole metres, the median of a fixed sample),
+/// otherwise it is zero. Without NaN, PCD's usual (0,0,0) is an ordinary point.
+/// \throws Error{Kind::Input} missing, malformed, truncated or empty file, with line or byte
+/// offset; no finite point.
 PointCloud read_cloud(const std::filesystem::path& file, const ReadLimits& limits = {});
 
 /// How write_cloud() lays out the file.
@@ -34,8 +35,9 @@ enum class CloudEncoding { Ascii, Binary };
 
 /// Writes PCD or PLY, by the extension (.pcd, .ply): x y z [rgb] [normals] [label], whole or not at
 /// all (temporary name, then rename). x y z are float, or double where the cloud's origin is not
-/// zero. \throws Error{Kind::Input} the extension is neither; the folder is missing; the disk is
-/// full.
+/// zero. PLY has no place for width, height and sensor.
+/// \throws Error{Kind::Input} the extension is neither; the folder is missing; the disk is full.
+/// \throws Error{Kind::Usage} the cloud has no points, or its parts differ in length.
 void write_cloud(const PointCloud& cloud, const std::filesystem::path& file,
                  CloudEncoding encoding = CloudEncoding::Binary);
 

@@ -25,8 +25,9 @@ WholeFile::WholeFile(fs::path target) : target_(std::move(target)) {
                                         " does not exist; make it or name another");
   }
   static std::atomic<unsigned> counter = 0;  // two threads may write into one folder
-  temporary_ = folder / ("." + target_.stem().string() + "." + std::to_string(::getpid()) + "-" +
-                         std::to_string(counter++) + target_.extension().string());
+  temporary_ =
+      folder / (std::string(".") + target_.stem().string() + "." + std::to_string(::getpid()) +
+                "-" + std::to_string(counter++) + target_.extension().string());
 }
 
 WholeFile::~WholeFile() {

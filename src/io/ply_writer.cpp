@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 the planescope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/ply_writer.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "io/record_writer.hpp"
+
+namespace planescope::io {
+namespace {
+
+OutField channel(const char* name, const PointCloud& cloud, std::uint8_t Rgb::*part) {
+  return make_field<std::uint8_t>(name, Scalar::U8,
+                                  [&cloud, part](std::size_t i) { return cloud.colors[i].*part; });
+}
+
+std::vector<OutField> fields_of(const PointCloud& cloud) {
+  std::vector<OutField> fields = position_fields(cloud);
+  if (cloud.has_colors()) {
+    fields.push_back(channel("red", cloud, &Rgb::r));
+    fields.push_back(channel("green", cloud, &Rgb::g));
+    fields.push_back(channel("blue", cloud, &Rgb::b));
+  }
+  for (OutField& field : normal_fields(cloud, "nx", "ny", "nz")) fields.push_back(std::move(field));
+  for (OutField& field : label_fields(cloud)) fields.push_back(std::move(field));
+  return fields;
+}
+
+const char* type_name(Scalar type) {
+  if (type == Scalar::F64) return "double";
+  if (type == Scalar::F32) return "float";
+  return type == Scalar::U8 ? "uchar" : "uint";
+}
+
+}  // namespace
+
+void write_ply(const std::filesystem::path& file, const PointCloud& cloud, CloudEncoding encoding) {
+  check_writable(cloud);
+  const std::vector<OutField> fields = fields_of(cloud);
+  const bool ascii = encoding == CloudEncoding::Ascii;
+  std::string header = std::string("ply\nformat ") + (ascii ? "ascii" : "binary_little_endian") +
+                       " 1.0\nelement vertex " + std::to_string(cloud.size()) + '\n';
+  for (const OutField& field : fields) {
+    header += std::string("property ") + type_name(field.type) + ' ' + field.name + '\n';
+  }
+  write_records(file, header + "end_header\n", fields, cloud.size(), encoding);
+}
+
+}  // namespace planescope::io
