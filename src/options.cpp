@@ -114,8 +114,8 @@ Options Options::tabletop() {
   options.patches.voxel_size = 0.0075;
   options.patches.patch_size = 0.03;
   options.planes.sigma = 0.01;
-  // The paper's lambda of 50 patches, at R_seed^2 each; likewise 0.5 m^2 in a room.
-  options.planes.min_area = 0.045;
+  // A table top, not the face of a box on it.
+  options.planes.min_area = 0.1;
   return options;
 }
 

@@ -46,7 +46,7 @@ Segmentation small_scene() {
   floor.point_count = 3;
   floor.area = 0.1f;
   scene.planes = {floor};
-  scene.patch_plane = {0, kNone};
+  scene.patch_plane = {{0, 1.0f}, {kNone, 1.0f}};
   scene.selection.lambda = 2;
   scene.selection.proposed = 9;
   scene.selection.hypotheses.resize(3);

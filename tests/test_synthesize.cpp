@@ -7,44 +7,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <limits>
-#include <map>
 #include <numeric>
+#include <random>
 #include <set>
 
-#include "fixtures.hpp"
 #include "planescope/error.hpp"
+#include "synthesis_fixtures.hpp"
 #include "synthesize/room.hpp"
 #include "synthesize/sampling.hpp"
 
 namespace planescope {
 namespace {
 
+using namespace testing;
 using Eigen::Vector3d;
 using synthesis::Scene;
-using synthesis::Solid;
-
-SynthesisOptions evenly(std::uint64_t seed, std::uint64_t points) {
-  SynthesisOptions options;
-  options.random_seed = seed;
-  options.points = points;
-  return options;
-}
-
-SynthesisOptions seen(std::uint64_t seed, std::uint32_t views) {
-  SynthesisOptions options;
-  options.random_seed = seed;
-  options.views = views;
-  return options;
-}
-
-// `chair 3` -> `chair`.
-std::string kind_of(const std::string& object) { return object.substr(0, object.find(' ')); }
-
-bool is_round(const std::string& object) {
-  return std::set<std::string>{"ball", "bin", "cup", "lamp"}.contains(kind_of(object));
-}
 
 // Everything of a scene as one string, to compare bit by bit.
 std::string bytes_of(const SynthesizedScene& scene) {
@@ -67,29 +44,8 @@ std::string bytes_of(const SynthesizedScene& scene) {
   return bytes;
 }
 
-std::map<std::uint32_t, std::vector<const TruePlane*>> planes_by_label(
-    const SynthesizedScene& scene) {
-  std::map<std::uint32_t, std::vector<const TruePlane*>> planes;
-  for (const TruePlane& plane : scene.planes) planes[plane.label].push_back(&plane);
-  return planes;
-}
-
-float nearest_plane(const Eigen::Vector3f& p, const std::vector<const TruePlane*>& planes) {
-  float nearest = std::numeric_limits<float>::infinity();
-  for (const TruePlane* plane : planes) {
-    nearest = std::min(nearest, std::abs(plane->plane.signed_distance(p)));
-  }
-  return nearest;
-}
-
-std::map<std::string, int> count_kinds(const std::vector<std::string>& objects) {
-  std::map<std::string, int> counts;
-  for (const std::string& object : objects) ++counts[kind_of(object)];
-  return counts;
-}
-
 TEST(Synthesize, GivesExactlyTheNumberOfPoints) {
-  for (const std::uint64_t points : {1u, 7u, 999u, 70'001u, 300'000u}) {
+  for (const std::uint64_t points : {1u, 7u, 70'001u, 150'000u}) {
     const SynthesizedScene scene = synthesize(evenly(2, points));
     ASSERT_EQ(scene.cloud.size(), points);
     EXPECT_EQ(scene.cloud.width, points);
@@ -107,7 +63,7 @@ TEST(Synthesize, GivesExactlyTheNumberOfPoints) {
 
 TEST(Synthesize, SameOptionsSameBytesAtAnyNumberOfThreads) {
   for (const std::uint32_t views : {0u, 1u, 2u}) {
-    SynthesisOptions options = evenly(5, 150'000);
+    SynthesisOptions options = evenly(5, 70'000);
     options.views = views;
     options.normals = true;
     const std::string first = bytes_of(synthesize(options));
@@ -134,7 +90,7 @@ TEST(Synthesize, EveryPointLiesOnItsObject) {
 
 TEST(Synthesize, NoPointIsInsideOrPressedAgainstASolid) {
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
-    SynthesisOptions options = evenly(seed, 40'000);
+    SynthesisOptions options = evenly(seed, 15'000);
     options.noise = 0;
     options.normals = true;
     options.ceiling = true;
@@ -175,7 +131,7 @@ TEST(Synthesize, AreaIsWhatIsFree) {
     const double x = unit(random), y = unit(random);
     const Vector3d p = room.frame * Vector3d(x * room.half.x(), y * room.half.y(), 0);
     bool blocked = false;
-    for (double z = 0.0005; z < synthesis::kHiddenGap; z += 0.001) {
+    for (double z = 0.0005; z < synthesis::kHiddenGap; z += 0.003) {
       blocked = blocked || room.scene.occupied(p + Vector3d(0, 0, z), 0);
     }
     free += blocked ? 0 : 1;
@@ -226,51 +182,6 @@ TEST(Synthesize, NoiseHasTheStandardDeviationThatWasAskedFor) {
   EXPECT_NEAR(std::sqrt(squares / count), 0.01, 0.0003);
 }
 
-TEST(Synthesize, RoomsAreFurnishedAsPromised) {
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-    const synthesis::Room room = synthesis::make_room(seed, false);
-    std::map<std::string, int> count = count_kinds(room.scene.objects());
-    const auto within = [](int value, int low, int high) { return value >= low && value <= high; };
-    EXPECT_TRUE(within(count["table"], 2, 3)) << seed;
-    EXPECT_TRUE(within(count["chair"], 3, 6)) << seed;
-    EXPECT_TRUE(within(count["box"], 4, 8)) << seed;
-    EXPECT_TRUE(within(count["shelf"], 1, 2)) << seed;
-    EXPECT_TRUE(within(count["ball"], 2, 4)) << seed;
-    EXPECT_TRUE(within(count["bin"] + count["cup"] + count["lamp"], 2, 4)) << seed;
-    EXPECT_EQ(count["bed"], 1) << seed;
-    EXPECT_EQ(count["cupboard"], 1) << seed;
-    EXPECT_EQ(count["wall"], 4) << seed;
-    EXPECT_TRUE(room.half.x() >= 2 && room.half.x() <= 3.5) << seed;
-    EXPECT_TRUE(room.half.y() >= 1.75 && room.half.y() <= 3) << seed;
-    EXPECT_TRUE(room.half.z() >= 1.2 && room.half.z() <= 1.4) << seed;
-  }
-}
-
-TEST(Synthesize, FurnitureDoesNotInterpenetrate) {
-  std::mt19937_64 random(3);
-  std::uniform_real_distribution<double> unit(-1, 1);
-  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    const Scene scene = synthesis::make_room(seed, true).scene;
-    std::vector<std::uint32_t> label(scene.solids().size());
-    for (const synthesis::Surface& surface : scene.surfaces()) label[surface.solid] = surface.label;
-    for (std::size_t a = 0; a < label.size(); ++a) {
-      for (int i = 0; i < 200; ++i) {  // points inside solid a, or at least inside its box
-        const double x = unit(random), y = unit(random), z = unit(random);
-        const Solid& solid = scene.solids()[a];
-        const Vector3d p = solid.pose * Vector3d(Vector3d(x, y, z).cwiseProduct(solid.half));
-        if (!solid.contains(p, 0)) continue;
-        for (std::size_t b = 0; b < label.size(); ++b) {
-          if (label[b] == label[a]) continue;
-          const bool structures = label[a] <= 6 && label[b] <= 6;  // slabs meet at the corners
-          ASSERT_TRUE(structures || !scene.solids()[b].contains(p, -1e-6))
-              << seed << ": " << scene.objects()[label[a] - 1] << ", "
-              << scene.objects()[label[b] - 1];
-        }
-      }
-    }
-  }
-}
-
 TEST(Synthesize, WholeMetresOfTheOffsetBecomeTheOrigin) {
   SynthesisOptions options = evenly(2, 5000);
   const SynthesizedScene here = synthesize(options);
@@ -290,141 +201,6 @@ TEST(Synthesize, WholeMetresOfTheOffsetBecomeTheOrigin) {
   for (const TruePlane& plane : there.planes) {
     EXPECT_NEAR(plane.plane.signed_distance(plane.centroid), 0, 2e-6) << plane.name;
   }
-}
-
-TEST(Synthesize, OneViewIsAnOrganisedImageInTheCamerasFrame) {
-  SynthesisOptions options = seen(1, 1);
-  options.normals = true;
-  const SynthesizedScene scene = synthesize(options);
-  const PointCloud& cloud = scene.cloud;
-  ASSERT_EQ(cloud.width, 640u);
-  ASSERT_EQ(cloud.height, 480u);
-  ASSERT_EQ(cloud.size(), 640u * 480u);
-  ASSERT_TRUE(cloud.sensor.has_value());
-  EXPECT_EQ(*cloud.sensor, Eigen::Vector3f(0, 0, 0));
-  const auto planes = planes_by_label(scene);
-  std::size_t returns = 0;
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const Eigen::Vector3f& p = cloud.positions[i];
-    ASSERT_EQ(is_finite(p), cloud.labels[i] != 0);
-    if (!is_finite(p)) continue;
-    ++returns;
-    ASSERT_NEAR(525 * p.x() / p.z() + 319.5f, static_cast<float>(i % 640), 1e-3f);
-    ASSERT_NEAR(525 * p.y() / p.z() + 239.5f, static_cast<float>(i / 640), 1e-3f);
-    ASSERT_GE(p.z(), 0.5f);
-    ASSERT_LE(p.z(), 6.0f);
-    ASSERT_LT(cloud.normals[i].dot(p), 0) << "a normal looks away from the camera";
-    if (is_round(scene.objects[cloud.labels[i] - 1])) continue;
-    ASSERT_LT(nearest_plane(p, planes.at(cloud.labels[i])), 0.002f * 6 * p.z() * p.z() + 1e-4f);
-  }
-  EXPECT_GT(returns, 640u * 480u / 2);
-}
-
-TEST(Synthesize, DepthNoiseGrowsWithTheSquareOfDepth) {
-  SynthesisOptions options = seen(3, 1);
-  options.noise = 0;
-  const SynthesizedScene clean = synthesize(options);
-  options.noise = 0.004;
-  const SynthesizedScene noisy = synthesize(options);
-  double near = 0, near_count = 0, far = 0, far_count = 0;
-  for (std::size_t i = 0; i < clean.cloud.size(); ++i) {
-    const double z = static_cast<double>(clean.cloud.positions[i].z());
-    const double error = (static_cast<double>(noisy.cloud.positions[i].z()) - z) / (z * z);
-    if (!std::isfinite(error)) continue;
-    (z < 2.5 ? near : far) += error * error;
-    (z < 2.5 ? near_count : far_count) += 1;
-  }
-  ASSERT_GT(near_count, 5000);
-  ASSERT_GT(far_count, 5000);
-  EXPECT_NEAR(std::sqrt(near / near_count), 0.004, 0.0002);
-  EXPECT_NEAR(std::sqrt(far / far_count), 0.004, 0.0002);
-}
-
-TEST(Synthesize, ManyViewsShareTheRoomsFrame) {
-  SynthesisOptions options = seen(2, 6);
-  options.normals = true;
-  const SynthesizedScene scene = synthesize(options);
-  const PointCloud& cloud = scene.cloud;
-  EXPECT_FALSE(cloud.organised());
-  EXPECT_EQ(cloud.width, cloud.size());
-  EXPECT_GT(cloud.size(), 6u * 640 * 480 / 2);
-  ASSERT_EQ(scene.planes.front().name, "floor");
-  EXPECT_LT((scene.planes.front().plane.normal - Eigen::Vector3f::UnitZ()).norm(), 1e-6f);
-  const double whole = synthesize(evenly(2, 1)).planes.front().area;
-  EXPECT_GT(scene.planes.front().area, whole / 4);
-  EXPECT_LT(scene.planes.front().area, whole * 1.1);
-  const auto planes = planes_by_label(scene);
-  for (std::size_t i = 0; i < cloud.size(); i += 7) {
-    ASSERT_TRUE(is_finite(cloud.positions[i]));
-    ASSERT_NEAR(cloud.normals[i].norm(), 1, 1e-5);
-    if (is_round(scene.objects[cloud.labels[i] - 1])) continue;
-    ASSERT_LT(nearest_plane(cloud.positions[i], planes.at(cloud.labels[i])), 0.002 * 6 * 36);
-  }
-}
-
-TEST(Synthesize, TruthSurvivesItsFile) {
-  const testing::TemporaryFolder folder;
-  SynthesisOptions options = evenly(9, 100);
-  options.offset = Vector3d(1000, 2000, -3);
-  const SynthesizedScene scene = synthesize(options);
-  write_truth(scene, folder / "truth.json");
-  const std::vector<TruePlane> same = read_true_planes(folder / "truth.json", scene.cloud.origin);
-  const std::vector<TruePlane> world = read_true_planes(folder / "truth.json");
-  ASSERT_EQ(same.size(), scene.planes.size());
-  for (std::size_t i = 0; i < same.size(); ++i) {
-    EXPECT_EQ(same[i].name, scene.planes[i].name);
-    EXPECT_EQ(same[i].label, scene.planes[i].label);
-    EXPECT_EQ(same[i].area, scene.planes[i].area);
-    EXPECT_EQ(same[i].structural, scene.planes[i].structural);
-    EXPECT_EQ(same[i].plane.normal, scene.planes[i].plane.normal);
-    EXPECT_EQ(same[i].plane.distance, scene.planes[i].plane.distance);
-    EXPECT_EQ(same[i].centroid, scene.planes[i].centroid);
-    EXPECT_NEAR(world[i].plane.signed_distance(world[i].centroid), 0, 1e-3);
-    EXPECT_LT((world[i].centroid - same[i].centroid - Eigen::Vector3f(1000, 2000, -3)).norm(),
-              1e-3f);
-  }
-}
-
-TEST(Synthesize, MalformedTruthIsRefusedWithAReason) {
-  const testing::TemporaryFolder folder;
-  const std::string head = R"({"format":"planescope-truth","version":1,"origin":[0,0,0],"planes":)";
-  const auto plane = [&](const std::string& label, const std::string& normal,
-                         const std::string& area, const std::string& distance) {
-    return head + R"([{"name":"a","structural":true,"centroid":[0,0,0],"label":)" + label +
-           R"(,"normal":)" + normal + R"(,"area":)" + area + R"(,"distance":)" + distance + "}]}";
-  };
-  const auto message_for = [&](const std::string& text) -> std::string {
-    testing::write_bytes(folder / "t.json", text);
-    try {
-      read_true_planes(folder / "t.json");
-    } catch (const Error& error) {
-      EXPECT_EQ(error.kind(), Error::Kind::Input);
-      return error.what();
-    }
-    return "accepted";
-  };
-  const auto contains = [](const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos && text.find('\n') == std::string::npos;
-  };
-  EXPECT_EQ(message_for(plane("1", "[0,0,1]", "2", "0.5")), "accepted");
-  EXPECT_TRUE(contains(message_for(""), "not JSON at byte"));
-  EXPECT_TRUE(contains(message_for("{\"format\":"), "not JSON at byte"));
-  EXPECT_TRUE(contains(message_for("[]"), "no member \"format\""));
-  EXPECT_TRUE(contains(message_for(R"({"format":"x"})"), "is not \"planescope-truth\""));
-  EXPECT_TRUE(contains(message_for(head + "7}"), "\"planes\" is not a list"));
-  EXPECT_TRUE(contains(message_for(head + "[7]}"), "planes[0]: no member \"name\""));
-  EXPECT_TRUE(contains(message_for(plane("-1", "[0,0,1]", "2", "0")), "planes[0].label"));
-  EXPECT_TRUE(contains(message_for(plane("4294967296", "[0,0,1]", "2", "0")), "planes[0].label"));
-  EXPECT_TRUE(contains(message_for(plane("1", "[0,0,2]", "2", "0")), "not of length 1"));
-  EXPECT_TRUE(contains(message_for(plane("1", "[0,1]", "2", "0")), "list of 3 numbers"));
-  EXPECT_TRUE(contains(message_for(plane("1", "[0,0,1]", "-2", "0")), "area is negative"));
-  EXPECT_TRUE(contains(message_for(plane("1", "[0,0,1]", "2", "1e300")), "not within 1e9"));
-  EXPECT_TRUE(contains(message_for(plane("1", "[0,0,1]", "2", "1e400")), "out of range"));
-  EXPECT_TRUE(contains(message_for(plane("1", "[0,0,1]", "2", "null")), "is not a number"));
-  EXPECT_TRUE(contains(message_for(std::string(100'000, '[')), "not JSON"));
-  EXPECT_THROW(read_true_planes(folder / "absent.json"), Error);
-  EXPECT_THROW(read_true_planes(folder.path()), Error);
-  EXPECT_THROW(write_truth({}, folder / "no such folder" / "t.json"), Error);
 }
 
 TEST(Synthesize, RefusesWhatIsOutOfRange) {

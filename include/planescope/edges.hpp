@@ -46,13 +46,22 @@ struct Edge {
   float step = 0;  ///< [m] step: the smaller of |d . n_i|, |d . n_j| times the centroids' distance
   float step_limit = 0;       ///< [m] beyond it the edge is a step
   std::uint32_t support = 0;  ///< common neighbours that are convex to both
-  float margin = 0;  ///< how far the deciding value lay from its threshold, as a fraction of the
-                     ///< threshold; 0 is undecided
+  /// How far the deciding value lay from its threshold, as a fraction of the threshold; 0 is
+  /// undecided. For the plane rules: the smaller `plane_margin` of the two patches.
+  float margin = 0;
 };
 
-/// Classifies every edge of the graph. `patch_plane`: per patch its supporting plane, or kNone.
+/// Which plane a patch lies on, and how surely.
+struct PatchPlane {
+  std::int32_t plane = kNone;  ///< supporting plane, or kNone
+  float margin =
+      0;  ///< |U - 2| / 2 of eq. (10) for its plane or, on none, for the best one; in [0, 1]
+};
+
+/// Classifies every edge of the graph by eq. (1), in the order of `graph.adjacency`.
+/// \param patch_plane one entry a patch.
 std::vector<Edge> classify_edges(const PatchGraph& graph,
-                                 const std::vector<std::int32_t>& patch_plane,
+                                 const std::vector<PatchPlane>& patch_plane,
                                  const EdgeOptions& options);
 
 /// Number of edges by rule, indexed by EdgeRule.

@@ -108,8 +108,10 @@ struct Options {
 /// What a cloud's points say about their own scale; what Options::automatic() goes by.
 struct CloudScale {
   std::size_t finite_points = 0;
-  double spacing = 0;  ///< [m] median distance of a point to its nearest neighbour on the surface
-  double noise = 0;    ///< [m] median distance of points to a plane fitted around them
+  double spacing =
+      0;  ///< [m] median of 1 / sqrt(local density): the side of the square that a point stands for
+  double noise =
+      0;  ///< [m] median over places of the rms distance to a plane through about 24 points
   Eigen::Vector3f extent =
       Eigen::Vector3f::Zero();  ///< [m] between the 1st and 99th percentile along x, y, z
 };

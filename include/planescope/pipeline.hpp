@@ -39,8 +39,8 @@ struct Segmentation {
   PlaneSelection selection;  ///< IV-A, IV-B
   std::vector<SupportingPlane>
       planes;  ///< supporting planes that have patches, by area, descending
-  std::vector<std::int32_t> patch_plane;  ///< IV-C, per patch: index into planes, or kNone
-  std::vector<Edge> edges;                ///< III-B, in the order of graph.adjacency
+  std::vector<PatchPlane> patch_plane;  ///< IV-C, per patch: index into planes, or kNone
+  std::vector<Edge> edges;              ///< III-B, in the order of graph.adjacency
   SegmentSet segments;
   std::vector<std::uint32_t> point_label;  ///< per point of the cloud: segment label, or kNoSegment
   std::vector<std::int32_t> point_plane;   ///< per point of the cloud: index into planes, or kNone

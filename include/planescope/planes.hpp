@@ -73,9 +73,11 @@ struct SelectionEnergy {
 std::vector<bool> minimise_selection(const SelectionEnergy& energy, PlaneSolver solver,
                                      std::uint32_t tabu_steps);
 
-/// Proposes hypotheses (IV-A: one a flat patch and a seeded sample of triples, refitted,
-/// near-duplicates merged, those that D already refuses dropped), and selects the supporting planes
-/// (IV-B).
+/// Proposes hypotheses (IV-A): one a flat patch and a seeded sample of triples of patches, each
+/// refitted by least squares to its inliers; near-duplicates are merged, and those that D alone
+/// already refuses (no more than lambda inliers) are dropped: V is never negative, so they cannot
+/// be part of the minimum. Then selects the supporting planes among them by the energy of eqs. (3)
+/// to (6) (IV-B). Reports progress as `hypotheses`, then `selection`.
 PlaneSelection select_planes(const PatchGraph& graph, const PlaneOptions& options,
                              const Progress& progress = {});
 

@@ -31,7 +31,7 @@ struct SegmentSet {
 /// Union-find over ON edges; components smaller than `min_patches` join the neighbour with the
 /// longest shared border.
 SegmentSet connect_segments(const PatchGraph& graph, const std::vector<Edge>& edges,
-                            const std::vector<std::int32_t>& patch_plane,
+                            const std::vector<PatchPlane>& patch_plane,
                             const SegmentOptions& options);
 
 }  // namespace planescope

@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 the planescope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "depth_shading.hpp"
+
+#include <GL/gl.h>
+
+#include <algorithm>
+
+#include <vtkCamera.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLQuadHelper.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLShaderCache.h>
+#include <vtkOpenGLState.h>
+#include <vtkRenderState.h>
+#include <vtkRenderer.h>
+#include <vtkShaderProgram.h>
+
+namespace planescope::draw {
+namespace {
+
+/// With near plane n and far plane f the depth buffer holds d = a - b / z, a = f / (f - n): so
+/// a - d is proportional to the inverse depth 1 / z.
+const char* const kFragmentShader = R"(//VTK::System::Dec
+//VTK::Output::Dec
+in vec2 texCoord;
+uniform sampler2D colors;
+uniform sampler2D depths;
+uniform ivec2 last;     // pixel of the textures
+uniform ivec2 radii;    // [pixel] of the inner ring, which draws contours, and of the outer one
+uniform float a;
+
+const float kTolerance = 0.0012;  // of the depth: below it lies the sensor's noise
+const float kMost = 0.016;        // of the depth: more is a contour, and a contour is not black
+const float kMostOuter = 0.004;   // the same of the outer ring: a soft shadow in creases
+const float kStrength = 75.0;
+const float kHole = 0.012;        // of the depth: this much behind, and surrounded, is a pin-hole
+
+const ivec2 kRing[8] = ivec2[8](ivec2(2, 0), ivec2(-2, 0), ivec2(0, 2), ivec2(0, -2),
+                                ivec2(1, 1), ivec2(-1, -1), ivec2(1, -1), ivec2(-1, 1));
+
+ivec2 place(ivec2 at, int radius, int i)
+{
+  // Diagonal neighbours lie at 0.7 of the radius along both axes.
+  ivec2 offset = i < 4 ? kRing[i] * radius / 2 : kRing[i] * ((radius * 7 + 5) / 10);
+  return clamp(at + offset, ivec2(0), last);
+}
+
+float inverseDepth(ivec2 at) { return a - texelFetch(depths, at, 0).r; }
+
+void main()
+{
+  ivec2 at = ivec2(texCoord * vec2(last + 1));
+  float here = inverseDepth(at);
+  vec3 color = texelFetch(colors, at, 0).rgb;
+  float ring[8];
+  int nearer = 0;
+  float sum = 0.0;
+  for (int i = 0; i < 8; ++i)
+  {
+    ring[i] = inverseDepth(place(at, radii.x, i));
+    if (ring[i] > here * (1.0 + kHole)) { ++nearer; sum += ring[i]; }
+  }
+  if (nearer >= 7)
+  {
+    color = vec3(0.0);
+    for (int i = 0; i < 8; ++i)
+      if (ring[i] > here * (1.0 + kHole)) color += texelFetch(colors, place(at, radii.x, i), 0).rgb;
+    color /= float(nearer);
+    here = sum / float(nearer);
+  }
+  float shade = 0.0;
+  for (int i = 0; i < 8; i += 2)
+  {
+    float inner = (ring[i] + ring[i + 1]) / (2.0 * here) - 1.0;
+    float outer = (inverseDepth(place(at, radii.y, i)) + inverseDepth(place(at, radii.y, i + 1)))
+                  / (2.0 * here) - 1.0;
+    shade += clamp(inner - kTolerance, 0.0, kMost) + clamp(outer - kTolerance, 0.0, kMostOuter);
+  }
+  gl_FragData[0] = vec4(color * exp(-kStrength * shade / 5.0), 1.0);
+  gl_FragDepth = a - here;
+}
+)";
+
+}  // namespace
+
+vtkStandardNewMacro(DepthShading);
+
+DepthShading::DepthShading() = default;
+DepthShading::~DepthShading() = default;
+
+void DepthShading::prepare(vtkOpenGLRenderWindow* window) {
+  color_->SetContext(window);
+  depth_->SetContext(window);
+  buffer_->SetContext(window);
+  const auto width = static_cast<unsigned>(W), height = static_cast<unsigned>(H);
+  if (color_->GetWidth() != width || color_->GetHeight() != height) {
+    color_->Create2D(width, height, 4, VTK_UNSIGNED_CHAR, false);
+    depth_->AllocateDepth(width, height, vtkTextureObject::Float32);
+  }
+  if (!quad_)
+    quad_ = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, kFragmentShader, nullptr);
+}
+
+void DepthShading::Render(const vtkRenderState* state) {
+  vtkRenderer* renderer = state->GetRenderer();
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  ReadWindowSize(state);
+  ExtraPixels = 0;
+  W = Width;
+  H = Height;
+  prepare(window);
+  window->GetState()->PushFramebufferBindings();
+  RenderDelegate(state, Width, Height, W, H, buffer_, color_, depth_);
+  window->GetState()->PopFramebufferBindings();
+  shade(renderer, window);
+}
+
+void DepthShading::shade(vtkRenderer* renderer, vtkOpenGLRenderWindow* window) {
+  window->GetShaderCache()->ReadyShaderProgram(quad_->Program);
+  color_->Activate();
+  depth_->Activate();
+  vtkShaderProgram& program = *quad_->Program;
+  program.SetUniformi("colors", color_->GetTextureUnit());
+  program.SetUniformi("depths", depth_->GetTextureUnit());
+  const int last[2] = {W - 1, H - 1};
+  program.SetUniform2i("last", last);
+  // In the final picture: contours of two pixels, soft creases of six.
+  const int radii[2] = {2 * scale_, 6 * scale_};
+  program.SetUniform2i("radii", radii);
+  const double* range = renderer->GetActiveCamera()->GetClippingRange();
+  program.SetUniformf("a", static_cast<float>(range[1] / (range[1] - range[0])));
+
+  vtkOpenGLState& gl = *window->GetState();
+  gl.vtkglDisable(GL_BLEND);
+  gl.vtkglDisable(GL_SCISSOR_TEST);
+  gl.vtkglEnable(GL_DEPTH_TEST);
+  gl.vtkglDepthMask(GL_TRUE);
+  gl.vtkglDepthFunc(GL_ALWAYS);
+  gl.vtkglViewport(Origin[0], Origin[1], W, H);
+  quad_->Render();
+  gl.vtkglDepthFunc(GL_LEQUAL);
+  gl.vtkglEnable(GL_BLEND);
+  depth_->Deactivate();
+  color_->Deactivate();
+}
+
+void DepthShading::ReleaseGraphicsResources(vtkWindow* window) {
+  quad_.reset();
+  color_->ReleaseGraphicsResources(window);
+  depth_->ReleaseGraphicsResources(window);
+  buffer_->ReleaseGraphicsResources(window);
+  Superclass::ReleaseGraphicsResources(window);
+}
+
+}  // namespace planescope::draw

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 the planescope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include <vtkDepthImageProcessingPass.h>
+#include <vtkNew.h>
+#include <vtkOpenGLFramebufferObject.h>
+#include <vtkTextureObject.h>
+
+class vtkOpenGLQuadHelper;
+
+/// \file Eye-dome lighting: points without normals get their shape from the depth buffer.
+namespace planescope::draw {
+
+/// A render pass that draws its delegate, closes pin-holes between splats, and darkens pixels that
+/// lie behind their surroundings, in the manner of eye-dome lighting (Boucheny 2009). Unlike
+/// vtkEDLShading it takes neighbours in opposite pairs and compares inverse depths, which are
+/// linear over a plane in perspective: a plane is not darkened however it is slanted, so walls
+/// keep their colour; and it works on depth relative to the camera's distance, so that a table and
+/// a hall are shaded alike. Depth is passed on, so that what is drawn later is hidden rightly.
+class DepthShading : public vtkDepthImageProcessingPass {
+ public:
+  static DepthShading* New();
+  vtkTypeMacro(DepthShading, vtkDepthImageProcessingPass)
+
+      void Render(const vtkRenderState* state) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  /// Pixels of what is drawn for each pixel of the final picture.
+  void SetScale(int scale) { scale_ = scale; }
+
+ protected:
+  DepthShading();
+  ~DepthShading() override;
+
+ private:
+  void prepare(vtkOpenGLRenderWindow* window);
+  void shade(vtkRenderer* renderer, vtkOpenGLRenderWindow* window);
+
+  int scale_ = 1;
+  vtkNew<vtkTextureObject> color_, depth_;
+  vtkNew<vtkOpenGLFramebufferObject> buffer_;
+  std::unique_ptr<vtkOpenGLQuadHelper> quad_;
+};
+
+}  // namespace planescope::draw

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 the planescope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "figure.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "palette.hpp"
+
+namespace planescope::draw {
+namespace {
+
+constexpr Pixel kSeparator = {200, 203, 208};
+
+/// 1234567 as `1,234,567`.
+std::string grouped(std::size_t number) {
+  std::string digits = std::to_string(number);
+  for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3)
+    digits.insert(static_cast<std::size_t>(at), ",");
+  return digits;
+}
+
+std::size_t finite_points(const SceneData& scene) {
+  const auto& positions = scene.result.cloud.positions;
+  return static_cast<std::size_t>(std::count_if(positions.begin(), positions.end(), is_finite));
+}
+
+}  // namespace
+
+Annotation describe(const SceneData& scene, Layer layers, const std::string& title) {
+  Annotation annotation{title, {}, {}};
+  if (has(layers, Layer::Graph)) {
+    const EdgeCounts counts = count_edges(scene);
+    using Swatch = LegendEntry::Swatch;
+    annotation.legend = {{Swatch::ThinLine, kEdgeOn, "ON " + grouped(counts.on)},
+                         {Swatch::DashedLine, kEdgeOff, "OFF " + grouped(counts.off)}};
+  }
+  return annotation;
+}
+
+std::vector<Panel> overview_panels(const SceneData& scene) {
+  const Result& result = scene.result;
+  const auto panel = [&](Layer layers, const std::string& title) {
+    return Panel{layers, describe(scene, layers, title)};
+  };
+  const std::size_t edges = static_cast<std::size_t>(scene.graph->GetNumberOfCells());
+  return {panel(Layer::Scene, "Scene: " + grouped(finite_points(scene)) + " points"),
+          panel(Layer::Segments, "Segments: " + grouped(result.segments.size())),
+          panel(Layer::Planes, "Planes: " + grouped(result.planes.size())),
+          panel(Layer::Graph, "Edges: " + grouped(edges))};
+}
+
+Image draw_panels(Drawing& drawing, const std::vector<Panel>& panels, std::size_t columns,
+                  const std::array<int, 2>& size, const Pixel& background) {
+  const auto across = static_cast<int>(columns);
+  const auto down = static_cast<int>((panels.size() + columns - 1) / columns);
+  const int line = std::max(1, size[1] / 700);
+  const int width = (size[0] - line * (across - 1)) / across;
+  const int height = (size[1] - line * (down - 1)) / down;
+  Image canvas = filled(size[0], size[1], background);
+  for (int i = 1; i < across; ++i)
+    paste(canvas, filled(line, size[1], kSeparator), i * width + (i - 1) * line, 0);
+  for (int i = 1; i < down; ++i)
+    paste(canvas, filled(size[0], line, kSeparator), 0, i * height + (i - 1) * line);
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const int column = static_cast<int>(i) % across, row = static_cast<int>(i) / across;
+    paste(canvas, drawing.draw(panels[i].layers, {width, height}, panels[i].annotation),
+          column * (width + line), row * (height + line));
+  }
+  return canvas;
+}
+
+}  // namespace planescope::draw

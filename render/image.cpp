@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 the planescope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "image.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include <vtkCommand.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGReader.h>
+#include <vtkPNGWriter.h>
+#include <vtkUnsignedCharArray.h>
+
+#include "io/whole_file.hpp"
+#include "planescope/error.hpp"
+#include "vtk_errors.hpp"
+
+namespace planescope::draw {
+namespace {
+
+std::size_t bytes_per_row(const Image& image) { return static_cast<std::size_t>(image.width) * 3; }
+
+}  // namespace
+
+Image filled(int width, int height, const Pixel& color) {
+  Image image{width, height, {}};
+  image.rgb.resize(bytes_per_row(image) * static_cast<std::size_t>(height));
+  for (std::size_t i = 0; i < image.rgb.size(); ++i) image.rgb[i] = color[i % 3];
+  return image;
+}
+
+Image downsample(const Image& image, int factor) {
+  if (factor == 1) return image;
+  Image small{image.width / factor, image.height / factor, {}};
+  small.rgb.resize(bytes_per_row(small) * static_cast<std::size_t>(small.height));
+  const auto block = static_cast<std::uint32_t>(factor * factor);
+  const auto step = static_cast<std::size_t>(factor);
+  std::vector<std::uint32_t> sums(bytes_per_row(small));
+  for (std::size_t y = 0; y < static_cast<std::size_t>(small.height); ++y) {
+    std::fill(sums.begin(), sums.end(), 0U);
+    for (std::size_t row = y * step; row < (y + 1) * step; ++row) {
+      const std::uint8_t* in = image.rgb.data() + row * bytes_per_row(image);
+      for (std::size_t x = 0; x < sums.size(); x += 3)
+        for (std::size_t k = 0; k < step; ++k, in += 3)
+          for (std::size_t c = 0; c < 3; ++c) sums[x + c] += in[c];
+    }
+    std::uint8_t* out = small.rgb.data() + y * bytes_per_row(small);
+    for (std::size_t i = 0; i < sums.size(); ++i)
+      out[i] = static_cast<std::uint8_t>((sums[i] + block / 2) / block);
+  }
+  return small;
+}
+
+bool is_uniform(const Image& image, int first, int last) {
+  const auto row = static_cast<std::ptrdiff_t>(bytes_per_row(image));
+  const auto begin = image.rgb.begin() + first * row;
+  const auto end = image.rgb.begin() + last * row;
+  // Shifted by one pixel, a uniform picture is itself.
+  return end - begin <= 3 || std::equal(begin + 3, end, begin, end - 3);
+}
+
+void paste(Image& canvas, const Image& piece, int x, int y) {
+  for (int row = 0; row < piece.height; ++row) {
+    const auto from = static_cast<std::size_t>(row) * bytes_per_row(piece);
+    const auto to =
+        static_cast<std::size_t>(y + row) * bytes_per_row(canvas) + static_cast<std::size_t>(x) * 3;
+    std::memcpy(canvas.rgb.data() + to, piece.rgb.data() + from, bytes_per_row(piece));
+  }
+}
+
+std::string encode_png(const Image& image) {
+  vtkNew<vtkImageData> data;
+  data->SetDimensions(image.width, image.height, 1);
+  data->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (int y = 0; y < image.height; ++y) {  // VTK's rows go from the bottom up
+    const auto from = static_cast<std::size_t>(image.height - 1 - y) * bytes_per_row(image);
+    std::memcpy(data->GetScalarPointer(0, y, 0), image.rgb.data() + from, bytes_per_row(image));
+  }
+  vtkNew<vtkPNGWriter> writer;
+  VtkErrors errors(writer);
+  writer->SetInputData(data);
+  writer->WriteToMemoryOn();
+  writer->Write();
+  const vtkUnsignedCharArray* result = writer->GetResult();
+  if (result == nullptr || errors.any())
+    throw Error(Error::Kind::Rendering, "the picture cannot be made a PNG: " + errors.first());
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  return {reinterpret_cast<const char*>(bytes->GetPointer(0)),
+          static_cast<std::size_t>(bytes->GetNumberOfValues())};
+}
+
+void write_png(const Image& image, const std::filesystem::path& file) {
+  write_whole(file, encode_png(image));
+}
+
+Image read_png(const std::filesystem::path& file) {
+  vtkNew<vtkPNGReader> reader;
+  VtkErrors errors(reader);
+  std::error_code ignored;
+  const bool readable =
+      std::filesystem::is_regular_file(file, ignored) && reader->CanReadFile(file.c_str()) != 0;
+  if (readable) {
+    reader->SetFileName(file.c_str());
+    reader->Update();
+  }
+  vtkImageData* data = reader->GetOutput();
+  const int channels = data->GetNumberOfScalarComponents();
+  if (!readable || errors.any() || data->GetScalarType() != VTK_UNSIGNED_CHAR || channels < 3)
+    throw Error(Error::Kind::Input, file.string() + ": not an 8-bit RGB PNG; name such a file");
+  Image image{data->GetDimensions()[0], data->GetDimensions()[1], {}};
+  image.rgb.reserve(bytes_per_row(image) * static_cast<std::size_t>(image.height));
+  for (int y = image.height - 1; y >= 0; --y) {
+    const auto* in = static_cast<const std::uint8_t*>(data->GetScalarPointer(0, y, 0));
+    for (int x = 0; x < image.width; ++x, in += channels)
+      image.rgb.insert(image.rgb.end(), in, in + 3);
+  }
+  return image;
+}
+
+}  // namespace planescope::draw

@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: 2026 the planescope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palette.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <Eigen/Dense>
+
+namespace planescope::draw {
+namespace {
+
+double to_linear(std::uint8_t value) {
+  const double v = value / 255.0;
+  return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+}
+
+std::uint8_t from_linear(double light) {
+  const double v = std::clamp(light, 0.0, 1.0);
+  const double srgb = v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
+  return static_cast<std::uint8_t>(std::lround(255 * srgb));
+}
+
+Eigen::Vector3d linear(const Pixel& c) {
+  return {to_linear(c[0]), to_linear(c[1]), to_linear(c[2])};
+}
+
+Pixel pixel(const Eigen::Vector3d& light) {
+  return {from_linear(light[0]), from_linear(light[1]), from_linear(light[2])};
+}
+
+Eigen::Matrix3d rows(std::array<double, 9> values) {
+  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(values.data());
+}
+
+/// Linear sRGB to cone responses, and their cube roots to Oklab.
+Eigen::Matrix3d cones() {
+  return rows({0.4122214708, 0.5363325363, 0.0514459929,  //
+               0.2119034982, 0.6806995451, 0.1073969566,  //
+               0.0883024619, 0.2817188376, 0.6299787005});
+}
+Eigen::Matrix3d opponents() {
+  return rows({0.2104542553, 0.7936177850, -0.0040720468,  //
+               1.9779984951, -2.4285922050, 0.4505937099,  //
+               0.0259040371, 0.7827717662, -0.8086757660});
+}
+
+Eigen::Matrix3d machado(Vision vision) {
+  switch (vision) {
+    case Vision::Protanopia:
+      return rows({0.152286, 1.052583, -0.204868,  //
+                   0.114503, 0.786281, 0.099216,   //
+                   -0.003882, -0.048116, 1.051998});
+    case Vision::Deuteranopia:
+      return rows({0.367322, 0.860646, -0.227968,  //
+                   0.280085, 0.672501, 0.047413,   //
+                   -0.011820, 0.042940, 0.968881});
+    case Vision::Tritanopia:
+      return rows({1.255528, -0.076749, -0.178779,  //
+                   -0.078411, 0.930809, 0.147602,   //
+                   0.004733, 0.691367, 0.303900});
+    case Vision::Normal:
+      break;
+  }
+  return Eigen::Matrix3d::Identity();
+}
+
+Pixel mix(const Pixel& a, const Pixel& b, double t) {
+  Pixel mixed{};
+  for (std::size_t c = 0; c < 3; ++c)
+    mixed[c] = static_cast<std::uint8_t>(std::lround(a[c] + (b[c] - a[c]) * t));
+  return mixed;
+}
+
+double difference(const Pixel& a, const Pixel& b, Vision vision) {
+  return (to_oklab(seen_by(vision, a)) - to_oklab(seen_by(vision, b))).norm();
+}
+
+/// Contrast of every two candidates, all palettes in one list.
+struct Contrasts {
+  explicit Contrasts(const std::vector<std::vector<Pixel>>& palettes) {
+    for (const auto& palette : palettes) {
+      first.push_back(colors.size());
+      colors.insert(colors.end(), palette.begin(), palette.end());
+    }
+    first.push_back(colors.size());
+    for (std::size_t a = 0; a < colors.size(); ++a)
+      for (std::size_t b = 0; b < colors.size(); ++b)
+        pairs.push_back(
+            {contrast(colors[a], colors[b]), difference(colors[a], colors[b], Vision::Normal)});
+  }
+  struct Pair {
+    double worst, normal;
+  };
+  const Pair& operator()(std::size_t a, std::size_t b) const {
+    return pairs[a * colors.size() + b];
+  }
+
+  std::vector<Pixel> colors;
+  std::vector<std::size_t> first;  // of each palette, and the end
+  std::vector<Pair> pairs;
+};
+
+/// How well a candidate suits a thing whose neighbours have these colours.
+double suitability(std::size_t candidate, const Contrasts& contrasts,
+                   const std::vector<std::size_t>& neighbours, const std::vector<int>& uses) {
+  constexpr double kEnough = 0.30;  // beyond it two colours are different, and that is all
+  double nearest = 2 * kEnough, worst = kEnough, normal = kEnough;
+  for (const std::size_t color : neighbours) {
+    const Contrasts::Pair& pair = contrasts(candidate, color);
+    nearest = std::min(nearest, pair.worst + pair.normal);
+  }
+  for (std::size_t color = 0; color < uses.size(); ++color) {
+    if (uses[color] == 0) continue;
+    worst = std::min(worst, contrasts(candidate, color).worst);
+    normal = std::min(normal, contrasts(candidate, color).normal);
+  }
+  return nearest + 0.2 * worst + 0.6 * normal - 0.02 * uses[candidate];
+}
+
+}  // namespace
+
+Pixel seen_by(Vision vision, const Pixel& color) {
+  if (vision == Vision::Normal) return color;
+  return pixel(machado(vision) * linear(color));
+}
+
+Eigen::Vector3d to_oklab(const Pixel& color) {
+  return opponents() * (cones() * linear(color)).unaryExpr([](double v) { return std::cbrt(v); });
+}
+
+Pixel from_oklch(double lightness, double chroma, double hue) {
+  const double angle = hue * std::numbers::pi / 180;
+  for (double c = chroma; c > 0; c -= 0.002) {
+    const Eigen::Vector3d lab(lightness, c * std::cos(angle), c * std::sin(angle));
+    const Eigen::Vector3d roots = opponents().inverse() * lab;
+    const Eigen::Vector3d light = cones().inverse() * roots.array().cube().matrix();
+    if (light.minCoeff() >= -1e-4 && light.maxCoeff() <= 1 + 1e-4) return pixel(light);
+  }
+  return pixel(Eigen::Vector3d::Constant(std::pow(lightness, 3)));
+}
+
+double contrast(const Pixel& a, const Pixel& b) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vision vision :
+       {Vision::Normal, Vision::Protanopia, Vision::Deuteranopia, Vision::Tritanopia})
+    least = std::min(least, difference(a, b, vision));
+  return least;
+}
+
+std::vector<Pixel> calm_colors() {
+  std::vector<Pixel> colors;
+  for (const double lightness : {0.90, 0.81, 0.72})
+    for (int hue = 70; hue < 430; hue += 40) colors.push_back(from_oklch(lightness, 0.07, hue));
+  return colors;
+}
+
+std::vector<Pixel> vivid_colors() {
+  // Each hue at the lightness where it is most itself, then darker and lighter.
+  static constexpr std::array<std::array<double, 2>, 9> hues = {{{255, 0.60},
+                                                                 {55, 0.70},
+                                                                 {145, 0.66},
+                                                                 {20, 0.58},
+                                                                 {300, 0.56},
+                                                                 {95, 0.82},
+                                                                 {200, 0.70},
+                                                                 {345, 0.66},
+                                                                 {120, 0.76}}};
+  std::vector<Pixel> colors;
+  for (const double shift : {0.0, -0.13, 0.11})
+    for (const auto& [hue, lightness] : hues)
+      colors.push_back(from_oklch(std::min(lightness + shift, 0.88), 0.17, hue));
+  return colors;
+}
+
+std::vector<Pixel> assign_colors(const std::vector<std::size_t>& groups,
+                                 const std::vector<std::vector<Pixel>>& palettes,
+                                 const Neighbours& neighbours) {
+  const Contrasts contrasts(palettes);
+  std::vector<std::vector<std::uint32_t>> adjacent(groups.size());
+  for (const auto& [a, b] : neighbours) {
+    adjacent[std::max(a, b)].push_back(std::min(a, b));  // who is coloured before
+  }
+  std::vector<std::size_t> chosen(groups.size());
+  std::vector<int> uses(contrasts.colors.size(), 0);
+  std::vector<Pixel> colors(groups.size());
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    std::vector<std::size_t> around;
+    for (const std::uint32_t other : adjacent[i]) around.push_back(chosen[other]);
+    std::sort(around.begin(), around.end());
+    around.erase(std::unique(around.begin(), around.end()), around.end());
+    double best = -std::numeric_limits<double>::infinity();
+    for (std::size_t c = contrasts.first[groups[i]]; c < contrasts.first[groups[i] + 1]; ++c) {
+      constexpr double kLater = 0.004;  // candidates are listed best first
+      const double value = suitability(c, contrasts, around, uses) -
+                           kLater * static_cast<double>(c - contrasts.first[groups[i]]);
+      if (value > best) {
+        best = value;
+        chosen[i] = c;
+      }
+    }
+    ++uses[chosen[i]];
+    colors[i] = contrasts.colors[chosen[i]];
+  }
+  return colors;
+}
+
+Pixel height_color(double t) {
+  static constexpr std::array<Pixel, 5> stops = {
+      Pixel{72, 88, 128}, {92, 129, 150}, {132, 164, 146}, {190, 192, 142}, {232, 214, 170}};
+  const double x = std::clamp(t, 0.0, 1.0) * (stops.size() - 1);
+  const std::size_t low = std::min<std::size_t>(static_cast<std::size_t>(x), stops.size() - 2);
+  return mix(stops[low], stops[low + 1], x - static_cast<double>(low));
+}
+
+Pixel lighten(const Pixel& color, double amount) { return mix(color, {255, 255, 255}, amount); }
+Pixel darken(const Pixel& color, double amount) { return mix(color, {0, 0, 0}, amount); }
+
+double luma(const Pixel& color) {
+  return 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2];
+}
+
+}  // namespace planescope::draw

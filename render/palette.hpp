@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 the planescope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "image.hpp"
+
+/// \file Colours: which ones there are, how different two of them look, and who gets which.
+namespace planescope::draw {
+
+/// How a reader sees: with three kinds of cones, or without one of them.
+enum class Vision { Normal, Protanopia, Deuteranopia, Tritanopia };
+
+/// What a colour looks like to such a reader. Protanopia, deuteranopia and tritanopia by the
+/// matrices of Machado, Oliveira and Fernandes (IEEE TVCG 15(6), 2009) at full severity, in linear
+/// light.
+Pixel seen_by(Vision vision, const Pixel& color);
+
+/// Oklab coordinates (Ottosson 2020): lightness from 0 to 1, and two opponent axes; Euclidean
+/// distance is about as large as the difference that is seen.
+Eigen::Vector3d to_oklab(const Pixel& color);
+
+/// The colour nearest to these Oklab lightness, chroma and hue [deg] that sRGB can show: chroma is
+/// lowered until it fits.
+Pixel from_oklch(double lightness, double chroma, double hue);
+
+/// How different two colours look to the reader who tells them apart worst: the least Oklab
+/// distance over all kinds of vision.
+double contrast(const Pixel& a, const Pixel& b);
+
+/// Candidates for large planes: light and muted, so that they step back.
+std::vector<Pixel> calm_colors();
+/// Candidates for objects: saturated, in three clearly different lightnesses.
+std::vector<Pixel> vivid_colors();
+
+/// A pair of things that touch and must not look alike.
+using Neighbours = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+/// Gives each of `groups.size()` things a colour from its group's candidates (palettes[groups[i]]),
+/// in order: the candidate that contrasts most with its neighbours' colours so far, and with all
+/// others in use, for every reader; candidates that are listed first, or are used less, are
+/// preferred by a little.
+std::vector<Pixel> assign_colors(const std::vector<std::size_t>& groups,
+                                 const std::vector<std::vector<Pixel>>& palettes,
+                                 const Neighbours& neighbours);
+
+/// A calm map of height, t from 0 (lowest) to 1: dusk blue over sage to sand.
+Pixel height_color(double t);
+
+/// `color` moved towards white; 0 leaves it, 1 is white.
+Pixel lighten(const Pixel& color, double amount);
+/// `color` moved towards black.
+Pixel darken(const Pixel& color, double amount);
+
+/// Rec. 709 luma of a colour, 0 to 255: what is left of it in grey.
+double luma(const Pixel& color);
+
+inline constexpr Pixel kUnlabelled = {150, 150, 150};  ///< points in no segment
+inline constexpr Pixel kInk = {35, 38, 43};            ///< text
+inline constexpr Pixel kEdgeOn = {38, 70, 150};        ///< ON edges: dark, thin, solid
+inline constexpr Pixel kEdgeOff = {226, 74, 14};       ///< OFF edges: bright, thick, dashed
+
+}  // namespace planescope::draw

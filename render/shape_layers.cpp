@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 the planescope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "shape_layers.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+#include "palette.hpp"
+#include "vtk_arrays.hpp"
+
+namespace planescope::draw {
+namespace {
+
+constexpr double kOpacity = 0.42;
+constexpr double kOffWidth = 3.0;  // OFF edges over ON edges: told apart in black and white
+
+/// Lines or polygons with a colour each, in the making.
+struct Shapes {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkUnsignedCharArray> colors;
+
+  Shapes() { colors->SetNumberOfComponents(3); }
+
+  template <typename Positions>
+  void add(const Positions& positions, const Pixel& color) {
+    cells->InsertNextCell(static_cast<int>(positions.size()));
+    for (const Eigen::Vector3d& p : positions)
+      cells->InsertCellPoint(points->InsertNextPoint(p.data()));
+    colors->InsertNextTypedTuple(color.data());
+  }
+};
+
+vtkSmartPointer<vtkActor> make_actor(vtkPolyData* data) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  return actor;
+}
+
+vtkSmartPointer<vtkActor> line_actor(const Shapes& shapes, double width) {
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(shapes.points);
+  data->SetLines(shapes.cells);
+  data->GetCellData()->SetScalars(shapes.colors);
+  auto actor = make_actor(data);
+  actor->GetProperty()->SetLineWidth(static_cast<float>(width));
+  return actor;
+}
+
+Eigen::Vector3d mix(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double t) {
+  return a + t * (b - a);
+}
+
+/// `count` dashes of three fifths, with gaps between them.
+void add_dashes(Shapes& lines, const Eigen::Vector3d& a, const Eigen::Vector3d& b, int count) {
+  for (int i = 0; i < count; ++i)
+    lines.add(std::array{mix(a, b, (i + 0.2) / count), mix(a, b, (i + 0.8) / count)}, kEdgeOff);
+}
+
+/// Dashes in an edge: as long as they are seen alike, and two at least.
+int dash_count(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Camera& camera,
+               const Pen& pen) {
+  const double depth = (a - camera.position).dot(camera.forward());
+  const double length = (b - a).norm() * pen.pixels_per_metre_at_1m / std::max(depth, 1e-3);
+  return std::clamp(static_cast<int>(std::lround(length / (3.6 * kOffWidth * pen.width))), 2, 12);
+}
+
+vtkSmartPointer<vtkActor> dot_actor(const std::vector<Eigen::Vector3d>& dots, double size) {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> vertices;
+  for (const Eigen::Vector3d& dot : dots)
+    vertices->InsertNextCell({points->InsertNextPoint(dot.data())});
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetVerts(vertices);
+  auto actor = make_actor(data);
+  use_splats(*actor, *vtkPolyDataMapper::SafeDownCast(actor->GetMapper()), "");
+  PointScale scale;
+  scale.fixed = size;
+  set_point_scale(*actor, scale);
+  actor->GetProperty()->SetColor(kEdgeOn[0] / 255.0, kEdgeOn[1] / 255.0, kEdgeOn[2] / 255.0);
+  return actor;
+}
+
+}  // namespace
+
+Eigen::Vector3d lifted(const Eigen::Vector3d& p, const Eigen::Vector3d& camera, double distance) {
+  const Eigen::Vector3d ray = camera - p;
+  const double length = ray.norm();
+  return length > 0 ? Eigen::Vector3d(p + ray * (std::min(distance, length / 2) / length)) : p;
+}
+
+Actors plane_layer(const SceneData& scene, const SceneColors& colors, const Cutaway& cut,
+                   const Camera& camera, const Pen& pen) {
+  vtkCellData& columns = *scene.planes->GetCellData();
+  vtkDataArray& plane = *columns.GetArray("plane");
+  vtkDataArray& rms = *columns.GetArray("rms");
+  Shapes fills, outlines;
+  for (vtkIdType i = 0; i < scene.planes->GetNumberOfCells(); ++i) {
+    const auto index = static_cast<std::int32_t>(plane.GetTuple1(i));
+    const auto ids = corners(*scene.planes->GetPolys(), i);
+    if (cut.hides(point(*scene.planes, ids[0]), index)) continue;
+    // Above the noise of the points on it, and their splats; the outline above the fill.
+    const double lift = 2.5 * rms.GetTuple1(i) + 2 * scene.result.voxel_size;
+    std::vector<Eigen::Vector3d> fill, outline;
+    for (const vtkIdType id : ids) {
+      const Eigen::Vector3d p = point(*scene.planes, id).cast<double>();
+      fill.push_back(lifted(p, camera.position, lift));
+      outline.push_back(lifted(p, camera.position, 1.25 * lift));
+    }
+    outline.push_back(outline.front());
+    const Pixel& color = colors.planes[static_cast<std::size_t>(index)];
+    fills.add(fill, color);
+    outlines.add(outline, darken(color, 0.45));
+  }
+  vtkNew<vtkPolyData> polygons;
+  polygons->SetPoints(fills.points);
+  polygons->SetPolys(fills.cells);
+  polygons->GetCellData()->SetScalars(fills.colors);
+  auto fill = make_actor(polygons);
+  fill->GetProperty()->SetOpacity(kOpacity);
+  return {fill, line_actor(outlines, 2.2 * pen.width)};
+}
+
+Actors graph_layer(const SceneData& scene, const Cutaway& cut, const Camera& camera,
+                   const Pen& pen) {
+  vtkDataArray& plane = *scene.patches->GetPointData()->GetArray("plane");
+  const double lift = 0.6 * scene.result.patch_size;
+  const vtkIdType count = scene.patches->GetNumberOfPoints();
+  std::vector<Eigen::Vector3d> places(static_cast<std::size_t>(count));
+  std::vector<bool> hidden(places.size());
+  std::vector<Eigen::Vector3d> dots;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const auto id = static_cast<vtkIdType>(i);
+    const Eigen::Vector3f centroid = point(*scene.graph, id);
+    hidden[i] = cut.hides(centroid, static_cast<std::int32_t>(plane.GetTuple1(id)));
+    places[i] = lifted(centroid.cast<double>(), camera.position, lift);
+    if (!hidden[i]) dots.push_back(places[i]);
+  }
+  vtkDataArray& on = *scene.graph->GetCellData()->GetArray("on");
+  Shapes on_lines, off_lines;
+  for (vtkIdType i = 0; i < scene.graph->GetNumberOfCells(); ++i) {
+    const auto ends = corners(*scene.graph->GetLines(), i);
+    const auto a = static_cast<std::size_t>(ends[0]), b = static_cast<std::size_t>(ends[1]);
+    if (hidden[a] || hidden[b]) continue;
+    if (on.GetTuple1(i) != 0) {
+      on_lines.add(std::array{places[a], places[b]}, kEdgeOn);
+      continue;
+    }
+    const Eigen::Vector3d from = lifted(places[a], camera.position, lift / 4);  // above ON edges
+    const Eigen::Vector3d to = lifted(places[b], camera.position, lift / 4);
+    add_dashes(off_lines, from, to, dash_count(from, to, camera, pen));
+  }
+  return {line_actor(on_lines, pen.width), dot_actor(dots, 2.6 * pen.width),
+          line_actor(off_lines, kOffWidth * pen.width)};
+}
+
+EdgeCounts count_edges(const SceneData& scene) {
+  vtkDataArray& on = *scene.graph->GetCellData()->GetArray("on");
+  EdgeCounts counts;
+  for (vtkIdType i = 0; i < on.GetNumberOfTuples(); ++i)
+    ++(on.GetTuple1(i) != 0 ? counts.on : counts.off);
+  return counts;
+}
+
+}  // namespace planescope::draw

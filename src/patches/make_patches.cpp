@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: 2026 the planescope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include "patches/growth.hpp"
+#include "patches/moments.hpp"
+#include "patches/orientation.hpp"
+#include "patches/voxel_grid.hpp"
+#include "patches/voxel_normals.hpp"
+#include "planescope/patches.hpp"
+
+namespace planescope {
+namespace {
+
+// The voxels of each patch in compressed rows, ascending.
+struct Members {
+  std::vector<std::uint32_t> offsets, voxels;
+  std::size_t patch_count() const { return offsets.size() - 1; }
+};
+
+// Makes labels contiguous (a seed may lose all its voxels to others), and lists each patch's
+// voxels.
+Members renumber(std::vector<std::int32_t>& label, std::size_t seed_count) {
+  std::vector<std::uint32_t> count(seed_count, 0);
+  for (const std::int32_t l : label) {
+    if (l != kNone) ++count[static_cast<std::size_t>(l)];
+  }
+  std::vector<std::int32_t> renamed(seed_count, kNone);
+  Members members;
+  members.offsets.push_back(0);
+  for (std::size_t s = 0; s < seed_count; ++s) {
+    if (count[s] == 0) continue;
+    renamed[s] = static_cast<std::int32_t>(members.offsets.size() - 1);
+    members.offsets.push_back(members.offsets.back() + count[s]);
+  }
+  members.voxels.resize(members.offsets.back());
+  std::vector<std::uint32_t> next(members.offsets.begin(), members.offsets.end() - 1);
+  for (std::size_t v = 0; v < label.size(); ++v) {
+    if (label[v] == kNone) continue;
+    label[v] = renamed[static_cast<std::size_t>(label[v])];
+    members.voxels[next[static_cast<std::size_t>(label[v])]++] = static_cast<std::uint32_t>(v);
+  }
+  return members;
+}
+
+Patch describe_patch(const VoxelGrid& grid, const std::vector<Eigen::Vector3f>& normals,
+                     const std::uint32_t* begin, const std::uint32_t* end) {
+  const Eigen::Vector3f reference = grid.mean[*begin];
+  Moments moments;
+  Patch patch;
+  Eigen::Vector3f normal_sum = Eigen::Vector3f::Zero();
+  for (const std::uint32_t* v = begin; v != end; ++v) {
+    moments.add(grid.mean[*v] - reference);
+    patch.point_count += grid.point_count[*v];
+    normal_sum +=
+        normals[*v].dot(normals[*begin]) < 0 ? Eigen::Vector3f(-normals[*v]) : normals[*v];
+  }
+  patch.voxel_count = static_cast<std::uint32_t>(end - begin);
+  patch.centroid = reference + moments.first / moments.count;
+  const PrincipalPlane plane = principal_plane(moments);
+  // Principal components of a handful of voxels say nothing; their own normals saw two rings around
+  // them.
+  constexpr std::uint32_t kEnoughVoxels = 6;
+  const bool enough = patch.voxel_count >= kEnoughVoxels;
+  patch.normal = enough || normal_sum.squaredNorm() == 0 ? plane.normal : normal_sum.normalized();
+  patch.curvature = plane.curvature;
+  // A plane of area A meets A (|nx| + |ny| + |nz|) / size^2 voxels.
+  patch.area = float(patch.voxel_count) * grid.size * grid.size / patch.normal.lpNorm<1>();
+  return patch;
+}
+
+std::vector<Patch> describe_patches(const VoxelGrid& grid,
+                                    const std::vector<Eigen::Vector3f>& normals,
+                                    const Members& members) {
+  std::vector<Patch> patches(members.patch_count());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, patches.size(), 64), [&](const auto& range) {
+    for (std::size_t p = range.begin(); p != range.end(); ++p) {
+      patches[p] = describe_patch(grid, normals, &members.voxels[members.offsets[p]],
+                                  members.voxels.data() + members.offsets[p + 1]);
+    }
+  });
+  return patches;
+}
+
+// Counts of a patch's neighbours, sparse: a dense array a thread, cleared through the list of what
+// was touched.
+struct BorderCounter {
+  std::vector<std::uint32_t> count;
+  std::vector<std::uint32_t> touched;
+};
+
+std::vector<Adjacency> find_adjacency(const VoxelGrid& grid, const std::vector<std::int32_t>& label,
+                                      const Members& members) {
+  std::vector<std::vector<Adjacency>> rows(members.patch_count());
+  tbb::enumerable_thread_specific<BorderCounter> counters;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows.size(), 64), [&](const auto& range) {
+    BorderCounter& counter = counters.local();
+    counter.count.resize(rows.size(), 0);
+    for (std::size_t p = range.begin(); p != range.end(); ++p) {
+      for (std::size_t m = members.offsets[p]; m < members.offsets[p + 1]; ++m) {
+        const std::uint32_t v = members.voxels[m];
+        for (std::size_t k = grid.neighbour_offsets[v];
+             k < grid.neighbour_offsets[v + std::size_t{1}]; ++k) {
+          const std::int32_t other = label[grid.neighbours[k]];
+          if (other <= static_cast<std::int32_t>(p))
+            continue;  // kNone, itself, or counted from there
+          if (counter.count[static_cast<std::size_t>(other)]++ == 0) {
+            counter.touched.push_back(static_cast<std::uint32_t>(other));
+          }
+        }
+      }
+      std::sort(counter.touched.begin(), counter.touched.end());
+      for (const std::uint32_t other : counter.touched) {
+        rows[p].push_back({static_cast<std::uint32_t>(p), other, counter.count[other]});
+        counter.count[other] = 0;
+      }
+      counter.touched.clear();
+    }
+  });
+  std::vector<Adjacency> adjacency;
+  for (const auto& row : rows) adjacency.insert(adjacency.end(), row.begin(), row.end());
+  return adjacency;
+}
+
+// From voxels to points, in place.
+std::vector<std::int32_t> label_points(const std::vector<std::uint32_t>& point_voxel,
+                                       const std::vector<std::int32_t>& label) {
+  std::vector<std::int32_t> point_patch(point_voxel.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, point_voxel.size(), 65536),
+                    [&](const auto& range) {
+                      for (std::size_t i = range.begin(); i != range.end(); ++i) {
+                        point_patch[i] = point_voxel[i] == kNoVoxel ? kNone : label[point_voxel[i]];
+                      }
+                    });
+  return point_patch;
+}
+
+// What the points themselves say of their patch: mean colour, and the sum of their given normals.
+std::vector<Eigen::Vector3f> gather_point_votes(const PointCloud& cloud, PatchGraph& graph) {
+  std::vector<Eigen::Vector3d> colors(cloud.has_colors() ? graph.patches.size() : 0,
+                                      Eigen::Vector3d::Zero());
+  std::vector<Eigen::Vector3f> votes(cloud.has_normals() ? graph.patches.size() : 0,
+                                     Eigen::Vector3f::Zero());
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    if (graph.point_patch[i] == kNone) continue;
+    const auto p = static_cast<std::size_t>(graph.point_patch[i]);
+    if (!colors.empty())
+      colors[p] += Eigen::Vector3d(cloud.colors[i].r, cloud.colors[i].g, cloud.colors[i].b);
+    if (!votes.empty() && is_finite(cloud.normals[i])) votes[p] += cloud.normals[i];
+  }
+  for (std::size_t p = 0; p < colors.size(); ++p) {
+    graph.patches[p].color = (colors[p] / graph.patches[p].point_count).cast<float>();
+  }
+  return votes;
+}
+
+}  // namespace
+
+PatchGraph make_patches(const PointCloud& cloud, const PatchOptions& options,
+                        const Progress& progress) {
+  const auto report = [&](double fraction) {
+    if (progress) progress("patches", fraction);
+  };
+  report(0);
+  const VoxelGrid grid = make_voxel_grid(cloud, options.voxel_size, options.weight_color > 0);
+  report(0.3);
+  const std::vector<Eigen::Vector3f> normals = estimate_voxel_normals(grid);
+  report(0.5);
+  const std::vector<std::uint32_t> seeds = choose_seeds(grid, options.patch_size);
+  std::vector<std::int32_t> label = grow_patches(grid, normals, seeds, options);
+  report(0.8);
+  const Members members = renumber(label, seeds.size());
+  PatchGraph graph;
+  graph.voxel_size = static_cast<float>(options.voxel_size);
+  graph.patch_size = static_cast<float>(options.patch_size);
+  graph.patches = describe_patches(grid, normals, members);
+  graph.adjacency = find_adjacency(grid, label, members);
+  graph.point_patch = label_points(grid.point_voxel, label);
+  const std::vector<Eigen::Vector3f> votes = gather_point_votes(cloud, graph);
+  if (cloud.sensor) {
+    orient_towards(graph.patches, *cloud.sensor);
+  } else if (cloud.has_normals()) {
+    orient_by_votes(graph.patches, votes);
+  } else {
+    orient_consistently(graph);
+  }
+  report(1);
+  return graph;
+}
+
+}  // namespace planescope

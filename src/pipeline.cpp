@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 the planescope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planescope/pipeline.hpp"
+
+#include <chrono>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include "planes/support.hpp"
+
+namespace planescope {
+namespace {
+
+// Books the time that passes to the stage that runs.
+class StageClock {
+ public:
+  // Ends the running stage and starts the one that `next` counts.
+  void start(double& next) {
+    const auto now = Clock::now();
+    if (running_ != nullptr) {
+      *running_ += std::chrono::duration<double, std::milli>(now - since_).count();
+    }
+    running_ = &next;
+    since_ = now;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double* running_ = nullptr;
+  Clock::time_point since_;
+};
+
+std::vector<Plane> selected_planes(const PlaneSelection& selection) {
+  std::vector<Plane> planes;
+  for (const std::uint32_t s : selection.selected) planes.push_back(selection.hypotheses[s].plane);
+  return planes;
+}
+
+// What holds for a patch holds for its points.
+void label_points(Segmentation& scene) {
+  const std::vector<std::int32_t>& point_patch = scene.graph.point_patch;
+  scene.point_label.resize(point_patch.size());
+  scene.point_plane.resize(point_patch.size());
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, point_patch.size(), 65536), [&](const auto& range) {
+        for (std::size_t i = range.begin(); i != range.end(); ++i) {
+          const bool in_patch = point_patch[i] != kNone;
+          const auto p = static_cast<std::size_t>(point_patch[i]);
+          scene.point_label[i] = in_patch ? scene.segments.patch_label[p] : kNoSegment;
+          scene.point_plane[i] = in_patch ? scene.patch_plane[p].plane : kNone;
+        }
+      });
+}
+
+}  // namespace
+
+Segmentation segment(const PointCloud& cloud, const Options& options, const Progress& progress) {
+  options.validate();
+  Segmentation scene;
+  scene.options = options;
+  StageTimes& times = scene.times;
+  StageClock clock;
+
+  clock.start(times.patches);
+  scene.graph = make_patches(cloud, options.patches, progress);  // III-A
+  clock.start(times.hypotheses);
+  scene.selection = select_planes(  // IV-A, IV-B
+      scene.graph, options.planes, [&](std::string_view stage, double fraction) {
+        if (stage == "selection" && fraction == 0) clock.start(times.selection);
+        if (progress) progress(stage, fraction);
+      });
+  clock.start(times.assignment);
+  const std::vector<std::int32_t> assignment = assign_planes(
+      scene.graph, selected_planes(scene.selection), options.planes, progress);  // IV-C
+  Support support = refit_planes(scene.graph, scene.selection, assignment, options.planes);
+  scene.planes = std::move(support.planes);
+  scene.patch_plane = std::move(support.patch_plane);
+  clock.start(times.edges);
+  scene.edges = classify_edges(scene.graph, scene.patch_plane, options.edges);  // III-B, eq. (1)
+  clock.start(times.segments);
+  scene.segments = connect_segments(scene.graph, scene.edges, scene.patch_plane, options.segments);
+  label_points(scene);
+  double done = 0;
+  clock.start(done);
+  return scene;
+}
+
+}  // namespace planescope

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 the planescope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "planescope/pipeline.hpp"
+
+namespace planescope {
+namespace {
+
+// The larger the plane, the more it counts; planes outside the cone about the prior do not.
+struct Candidate {
+  Eigen::Vector3f up;
+  float area = 0;
+};
+
+// The largest plane whose normal lies within the cone about `prior`. `either_side`: normals of maps
+// may point down.
+Candidate largest_level_plane(const Segmentation& scene, const Eigen::Vector3f& prior,
+                              float min_cosine, bool either_side) {
+  Candidate best{prior, 0};
+  for (const SupportingPlane& plane : scene.planes) {
+    const float cosine = plane.plane.normal.dot(prior);
+    if ((either_side ? std::abs(cosine) : cosine) < min_cosine || plane.area <= best.area) continue;
+    best = {cosine < 0 ? Eigen::Vector3f(-plane.plane.normal) : plane.plane.normal, plane.area};
+  }
+  return best;
+}
+
+// Indoors, things stand on the floor: more surface lies in the lower half of the height than in the
+// upper.
+bool upside_down(const Segmentation& scene, const Eigen::Vector3f& up) {
+  float low = std::numeric_limits<float>::max(), high = std::numeric_limits<float>::lowest();
+  double area = 0, moment = 0;
+  for (const Patch& patch : scene.graph.patches) {
+    if (std::abs(patch.normal.dot(up)) > 0.5f)
+      continue;  // sides of things, not floor against ceiling
+    const float height = patch.centroid.dot(up);
+    low = std::min(low, height);
+    high = std::max(high, height);
+    area += double(patch.area);
+    moment += double(patch.area * height);
+  }
+  return area > 0 && moment / area > 0.5 * (double(low) + double(high));
+}
+
+}  // namespace
+
+Eigen::Vector3f scene_up(const Segmentation& scene, const PointCloud& cloud) {
+  if (cloud.organised()) {
+    // A camera frame: y down, z forward. Seen from it, what is level faces upwards however steeply
+    // the camera looks down (its normal keeps a part along -y), and what is upright never does.
+    return largest_level_plane(scene, -Eigen::Vector3f::UnitY(), 0.34f, false).up;
+  }
+  const Candidate z = largest_level_plane(scene, Eigen::Vector3f::UnitZ(), 0.9f, true);
+  const Candidate y = largest_level_plane(scene, -Eigen::Vector3f::UnitY(), 0.9f, true);
+  if (z.area > 0 || y.area == 0) return z.up;
+  return upside_down(scene, y.up) ? Eigen::Vector3f(-y.up) : y.up;
+}
+
+}  // namespace planescope
