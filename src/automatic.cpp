@@ -23,8 +23,9 @@ Options Options::automatic(const PointCloud& cloud) {
   // What is worth separating grows with the scene: a cup on a table, a chair in a flat. Voxels must
   // meet their neighbours, so they are well above the spacing; patches need voxels, and normals a
   // base well above the noise.
-  const double patch = std::max({0.03, extent / 200, 5.6 * scale.spacing, 10 * scale.noise});
-  const double voxel = std::max(patch / 4, 1.5 * scale.spacing);
+  const double base = std::max({0.03, extent / 200, 10 * scale.noise});
+  const double voxel = std::max(base / 4, scale.connected_voxel);
+  const double patch = std::max(base, 3.75 * voxel);
   options.patches.voxel_size = two_digits(voxel);
   options.patches.patch_size = two_digits(patch);
   // Patches of one surface lie within a few deviations of its plane; what lies further off is

@@ -11,6 +11,7 @@
 
 #include "patches/moments.hpp"
 #include "patches/voxel_blocks.hpp"
+#include "patches/voxel_grid.hpp"
 #include "planescope/error.hpp"
 #include "planescope/options.hpp"
 
@@ -167,6 +168,28 @@ float find_noise(const std::vector<Moments>& seen) {
   return median(std::move(noises));
 }
 
+double depth_noise(const PointCloud& cloud, const std::vector<std::uint32_t>& places) {
+  if (!cloud.organised() || !cloud.sensor) return 0;
+  std::vector<float> depths;
+  for (const std::uint32_t i : places)
+    depths.push_back(std::abs(cloud.positions[i].z() - cloud.sensor->z()));
+  const auto z = double(median(std::move(depths)));
+  return 0.0014 * z * z;
+}
+
+double find_connected_voxel(const PointCloud& cloud, double smallest) {
+  constexpr double kWantedDegree = 5, kStep = 1.25;
+  constexpr int kSteps = 6;
+  double size = smallest;
+  if (cloud.organised()) return size;  // a picture's pixels are as dense along as across
+  for (int step = 0; step < kSteps; ++step, size *= kStep) {
+    const VoxelGrid grid = make_voxel_grid(cloud, size, false);
+    const auto degree = double(grid.neighbours.size()) / double(grid.voxel_count());
+    if (degree >= kWantedDegree) break;
+  }
+  return size;
+}
+
 }  // namespace
 
 CloudScale measure_scale(const PointCloud& cloud) {
@@ -197,7 +220,8 @@ CloudScale measure_scale(const PointCloud& cloud) {
     noise = find_noise(look(radius));
   }
   scale.spacing = double(spacing);
-  scale.noise = double(noise);
+  scale.noise = std::max(double(noise), depth_noise(cloud, queries));
+  scale.connected_voxel = find_connected_voxel(cloud, 1.5 * scale.spacing);
   return scale;
 }
 
