@@ -31,8 +31,10 @@ Options Options::automatic(const PointCloud& cloud) {
   // Patches of one surface lie within a few deviations of its plane; what lies further off is
   // another thing.
   options.planes.sigma = two_digits(std::clamp(std::max(5 * scale.noise, voxel / 2), 0.01, 0.2));
-  // Supporting planes carry the scene: a table top among cups, the walls among furniture.
-  options.planes.min_area = two_digits(0.04 * extent * extent);
+  // Supporting planes carry the scene: a table top among cups, the walls among furniture. A tenth
+  // of what a table-top view shows; the more a scene shows, the smaller the share of one plane.
+  const double surface = double(scale.finite_points) * scale.spacing * scale.spacing;  // [m^2]
+  options.planes.min_area = two_digits(std::clamp(0.1 * std::pow(surface, 0.75), 1e-4, 1e3));
   return options;
 }
 

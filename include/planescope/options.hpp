@@ -46,10 +46,10 @@ enum class AssignmentSolver { Expansion, Icm };
 
 /// Section IV of the paper.
 struct PlaneOptions {
-  double sigma = 0.05;  ///< [m] inlier distance r(c_i, p) < sigma
-  double min_area =
-      0.5;  ///< [m^2] lambda of eq. (4) as an area: lambda = min_area / median patch area
-  double alpha = 10.0;  ///< [deg] tolerance of the angle to parallel or orthogonal in eq. (6)
+  double sigma = 0.05;    ///< [m] inlier distance r(c_i, p) < sigma
+  double min_area = 0.5;  ///< [m^2] lambda of eq. (4) as an area: lambda = min_area / area-weighted
+                          ///< median patch area
+  double alpha = 10.0;    ///< [deg] tolerance of the angle to parallel or orthogonal in eq. (6)
   double normal_gate =
       0.8;  ///< [1] inliers need |n_i . n_p| of at least this; 0 switches the gate off
   double max_curvature = 0.05;  ///< [1] only flatter patches propose a plane

@@ -59,13 +59,19 @@ std::vector<Hypothesis> search_sample(const PatchIndex& sample, const PlaneOptio
 double support_threshold(const std::vector<Patch>& patches, double min_area) {
   constexpr double kFewest = 3;
   std::vector<float> areas;
+  double total = 0;
   for (const Patch& patch : patches) {
-    if (patch.area > 0) areas.push_back(patch.area);
+    if (!(patch.area > 0)) continue;
+    areas.push_back(patch.area);
+    total += static_cast<double>(patch.area);
   }
-  if (areas.empty()) return kFewest;
-  const auto middle = areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2);
-  std::nth_element(areas.begin(), middle, areas.end());
-  return std::max(kFewest, min_area / static_cast<double>(*middle));
+  std::sort(areas.begin(), areas.end());
+  double below = 0;  // area of the patches up to the median
+  for (const float area : areas) {
+    below += static_cast<double>(area);
+    if (below >= 0.5 * total) return std::max(kFewest, min_area / static_cast<double>(area));
+  }
+  return kFewest;
 }
 
 std::vector<Hypothesis> merge_duplicates(std::vector<Hypothesis> hypotheses) {

@@ -19,7 +19,8 @@ struct Hypotheses {
 };
 
 /// lambda of eq. (4) in patches: min_area / median patch area, and at least 3 (fewer patches fix no
-/// plane). Where patches have no area it is 3.
+/// plane). The median is weighted by area: it is the patch that a random piece of surface lies in,
+/// whatever number of specks a sparse scan leaves. Where patches have no area lambda is 3.
 double support_threshold(const std::vector<Patch>& patches, double min_area);
 
 /// Proposes planes from flat patches and from random triples, refits each to its inliers, merges
