@@ -17,6 +17,8 @@ template <class... Ts>
 struct Overloaded : Ts... {
   using Ts::operator()...;
 };
+template <class... Ts>
+Overloaded(Ts...) -> Overloaded<Ts...>;  // clang 14 cannot deduce it for aggregates
 
 [[noreturn]] void usage(const std::string& message) { throw Error(Error::Kind::Usage, message); }
 

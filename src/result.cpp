@@ -2,13 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planescope/result.hpp"
 
+#include "io/pcd_writer.hpp"
 #include "io/whole_file.hpp"
 #include "planescope/error.hpp"
-#include "result_hash.hpp"
 #include "result_json.hpp"
-#include "result_points.hpp"
 
 namespace planescope {
+namespace {
+
+/// `x y z rgb label plane patch`: always these, so that scripts can rely on them; rgb is 0 where
+/// the input has no colours (result.json says so).
+void write_points(const Segmentation& scene, const PointCloud& cloud,
+                  const std::filesystem::path& file) {
+  PointCloud points = cloud;
+  points.normals.clear();
+  points.labels = scene.point_label;
+  points.colors.resize(cloud.size());
+  io::write_pcd(file, points, CloudEncoding::Binary,
+                {{"plane", std::span<const std::int32_t>(scene.point_plane)},
+                 {"patch", std::span<const std::int32_t>(scene.graph.point_patch)}});
+}
+
+}  // namespace
 
 Result make_result(const Segmentation& scene, const PointCloud& cloud, const InputInfo& input) {
   Result result;
@@ -40,13 +55,10 @@ void save(const Segmentation& scene, const PointCloud& cloud, const std::filesys
                                         (failure ? ": " + failure.message() : "") +
                                         "; name another");
   }
-  const std::string points =
-      points_pcd({cloud, scene.point_label, scene.point_plane, scene.graph.point_patch});
-  FileHash hash;
-  hash.add(points);
-  const std::string json = result_json(scene, cloud, input, hash.hex());
-  write_whole(folder / "points.pcd", points);
-  write_whole(folder / "result.json", json);  // last: a folder that has it is complete
+  const auto points_file = folder / "points.pcd", json_file = folder / "result.json";
+  std::filesystem::remove(json_file, failure);  // a folder that has it is complete
+  write_points(scene, cloud, points_file);
+  write_whole(json_file, result_json(scene, cloud, input, hash_file(points_file)));
 }
 
 }  // namespace planescope

@@ -1,36 +1,42 @@
 // SPDX-FileCopyrightText: 2026 the planescope authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "result_hash.hpp"
-
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "planescope/error.hpp"
 #include "planescope/result.hpp"
 
 namespace planescope {
+namespace {
 
-void FileHash::add(std::string_view piece) {
+/// 64-bit FNV-1a in 8-byte little-endian steps, the tail byte by byte. Every piece but the last
+/// must be a multiple of 8 bytes long.
+std::uint64_t add(std::uint64_t state, std::string_view piece) {
   constexpr std::uint64_t kPrime = 0x100000001b3u;
   std::size_t at = 0;
   for (; at + 8 <= piece.size(); at += 8) {
     std::uint64_t word = 0;
     std::memcpy(&word, piece.data() + at, 8);
-    state_ = (state_ ^ word) * kPrime;
+    state = (state ^ word) * kPrime;
   }
   for (; at < piece.size(); ++at) {
-    state_ = (state_ ^ static_cast<unsigned char>(piece[at])) * kPrime;
+    state = (state ^ static_cast<unsigned char>(piece[at])) * kPrime;
   }
+  return state;
 }
 
-std::string FileHash::hex() const {
+std::string hex(std::uint64_t state) {
   char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(state_));
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(state));
   return text;
 }
+
+}  // namespace
 
 std::string hash_file(const std::filesystem::path& file) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(file.c_str(), "rb"),
@@ -39,13 +45,13 @@ std::string hash_file(const std::filesystem::path& file) {
     throw Error(Error::Kind::Input, file.string() + ": cannot be read: " + std::strerror(errno));
   };
   if (!in) fail();
-  FileHash hash;
+  std::uint64_t state = 0xcbf29ce484222325u;  // FNV's offset basis
   std::vector<char> piece(std::size_t{1} << 20);
   while (const std::size_t got = std::fread(piece.data(), 1, piece.size(), in.get())) {
-    hash.add({piece.data(), got});
+    state = add(state, {piece.data(), got});
   }
   if (std::ferror(in.get()) != 0) fail();
-  return hash.hex();
+  return hex(state);
 }
 
 }  // namespace planescope

@@ -10,7 +10,7 @@ namespace planescope {
 
 /// The text of result.json (README, "The result folder"): everything that is the same in every run
 /// of one version on one input with the same options; no time, no path, no thread count.
-/// \param points_hash FileHash of points.pcd, which ties the two files together.
+/// \param points_hash hash_file() of points.pcd, which ties the two files together.
 std::string result_json(const Segmentation& scene, const PointCloud& cloud, const InputInfo& input,
                         const std::string& points_hash);
 

@@ -8,10 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "io/pcd_reader.hpp"
 #include "planescope/error.hpp"
 #include "planescope/result.hpp"
-#include "result_hash.hpp"
-#include "result_points.hpp"
 
 /// \file load_result(): someone may have edited the folder, so nothing in it is believed.
 namespace planescope {
@@ -174,6 +173,22 @@ void read_json(const Node& root, Result& result) {
   }
 }
 
+/// The same origin as in the run, because planes are relative to it.
+void read_points(const fs::path& file, Result& result) {
+  auto [cloud, columns] = io::read_pcd_columns(file, {"plane", "patch"}, result.cloud.origin);
+  if (cloud.width != result.cloud.width || cloud.height != result.cloud.height ||
+      !cloud.has_labels()) {
+    throw Error(Error::Kind::Input, file.string() +
+                                        ": not the points that result.json beside it tells of; run "
+                                        "`planescope segment` again");
+  }
+  result.cloud.positions = std::move(cloud.positions);
+  if (result.has_colors) result.cloud.colors = std::move(cloud.colors);
+  result.point_label = std::move(cloud.labels);
+  result.point_plane = std::move(columns[0]);
+  result.point_patch = std::move(columns[1]);
+}
+
 /// Labels, planes and patches of points must be ones that result.json knows.
 void check_points(const Result& result, const fs::path& file) {
   const auto in_range = [](std::int32_t index, std::size_t size) {
@@ -205,16 +220,13 @@ Result load_result(const fs::path& folder) {
   const Node root(json, json_file, "");
   Result result;
   read_json(root, result);
-  const std::string points = read_whole(points_file);
-  parse_points_pcd(points, points_file, result);
-  check_points(result, points_file);
-  FileHash hash;
-  hash.add(points);
-  if (hash.hex() != root["points_hash"].text()) {
+  if (hash_file(points_file) != root["points_hash"].text()) {
     throw Error(Error::Kind::Input, points_file.string() +
                                         ": not the file that result.json beside it was written "
                                         "with; run `planescope segment` again");
   }
+  read_points(points_file, result);
+  check_points(result, points_file);
   return result;
 }
 

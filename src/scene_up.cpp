@@ -45,13 +45,21 @@ bool upside_down(const Segmentation& scene, const Eigen::Vector3f& up) {
   return area > 0 && moment / area > 0.5 * (double(low) + double(high));
 }
 
+// Up in the picture of a camera at the origin: -y in the usual camera frame (z forward, y down), +y
+// where z points backwards (OpenGL's frame, in which some of PCL's clouds are stored).
+Eigen::Vector3f picture_up(const Segmentation& scene) {
+  double depth = 0;
+  for (const Patch& patch : scene.graph.patches) depth += double(patch.area * patch.centroid.z());
+  return depth < 0 ? Eigen::Vector3f::UnitY() : Eigen::Vector3f(-Eigen::Vector3f::UnitY());
+}
+
 }  // namespace
 
 Eigen::Vector3f scene_up(const Segmentation& scene, const PointCloud& cloud) {
   if (cloud.organised()) {
-    // A camera frame: y down, z forward. Seen from it, what is level faces upwards however steeply
-    // the camera looks down (its normal keeps a part along -y), and what is upright never does.
-    return largest_level_plane(scene, -Eigen::Vector3f::UnitY(), 0.34f, false).up;
+    // Seen from the camera, what is level faces upwards however steeply the camera looks down (its
+    // normal keeps a part along the picture's up), and what is upright never does.
+    return largest_level_plane(scene, picture_up(scene), 0.34f, false).up;
   }
   const Candidate z = largest_level_plane(scene, Eigen::Vector3f::UnitZ(), 0.9f, true);
   const Candidate y = largest_level_plane(scene, -Eigen::Vector3f::UnitY(), 0.9f, true);

@@ -129,7 +129,7 @@ TEST(Result, JsonSaysWhatTheSceneHolds) {
   EXPECT_EQ(all["options"].size(), option_table().size());
   EXPECT_EQ(all["options"]["planes.sigma"], 0.01);
   EXPECT_EQ(all["options"]["planes.solver"], "lsa_tr+tabu");
-  EXPECT_EQ(all["options"]["edges.extended_convexity"], true);
+  EXPECT_EQ(all["options"]["edges.extended_convexity"], false);
   EXPECT_EQ(all["planes"][0]["area"], 0.1) << "a float keeps its shortest text";
   EXPECT_EQ(all["hypotheses"]["proposed"], 9);
   ASSERT_EQ(all["hypotheses"]["rejected"].size(), 1u);
@@ -232,7 +232,7 @@ TEST(LoadResult, RefusesEveryEditThatMatters) {
       {"/input/height", 4000000000u},
       {"/input/has_color", "yes"},
       {"/input/origin", json::array({1, 2})},
-      {"/input/origin/0", 1000},
+      {"/input/origin/0", 1e300},
       {"/options/patches.voxel_size", 0},
       {"/options", json::object()},
       {"/up", json::array({0, 0, 2})},
@@ -278,14 +278,31 @@ TEST(LoadResult, RefusesPointsThatDoNotBelong) {
   EXPECT_TRUE(refused(points + "x"));
   EXPECT_TRUE(refused(""));
   EXPECT_TRUE(refused("x" + points.substr(1)));
-  for (const std::size_t column : {16u, 20u, 24u}) {  // label, plane, patch of the first point
-    std::string bytes = points;
-    bytes[data + column] = 3;
-    EXPECT_TRUE(refused(bytes)) << column;
-  }
   std::string moved = points;
   moved[data + 2] = 1;  // another coordinate: everything is in range, but the hash is another
   EXPECT_TRUE(refused(moved));
+}
+
+TEST(LoadResult, RefusesIndicesThatAreNotThere) {
+  const TemporaryFolder folder;
+  save(small_scene(), small_cloud(), folder.path());
+  const std::string points = read_bytes(folder / "points.pcd");
+  json all = json::parse(read_bytes(folder / "result.json"));
+  const std::size_t data = points.find("DATA binary\n") + 12;
+  for (const std::size_t column : {16u, 20u, 24u}) {  // label, plane, patch of the first point
+    std::string bytes = points;
+    bytes[data + column] = 3;
+    write_bytes(folder / "points.pcd", bytes);
+    all["points_hash"] = hash_file(folder / "points.pcd");  // whoever edits may know of the hash
+    write_bytes(folder / "result.json", all.dump());
+    EXPECT_NE(refusal(folder.path()).find("point 0 has a label"), std::string::npos) << column;
+  }
+  std::string labelled = points;
+  labelled[data + 5 * 28 + 16] = 1;  // the point without a return
+  write_bytes(folder / "points.pcd", labelled);
+  all["points_hash"] = hash_file(folder / "points.pcd");
+  write_bytes(folder / "result.json", all.dump());
+  EXPECT_NE(refusal(folder.path()).find("point 5 has a label"), std::string::npos);
 }
 
 TEST(LoadResult, RefusesWhatIsMissingOrNotJson) {

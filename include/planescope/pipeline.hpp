@@ -53,9 +53,10 @@ struct Segmentation {
 Segmentation segment(const PointCloud& cloud, const Options& options,
                      const Progress& progress = {});
 
-/// The scene's up direction, unit: the normal of the largest near-horizontal supporting plane.
-/// Organised views look along +z with y down (the camera frame), maps are taken as z-up unless the
-/// planes say y; where no plane decides, that prior is the answer.
+/// The scene's up direction, unit: the normal of the largest near-horizontal supporting plane. What
+/// counts as near-horizontal goes by a prior, which is also the answer where no plane decides:
+/// organised views look along +z with y down (or along -z with y up, if that is where their points
+/// lie), maps are taken as z-up unless only planes along y are level.
 Eigen::Vector3f scene_up(const Segmentation& scene, const PointCloud& cloud);
 
 /// An edge's rule and numbers in words, one paragraph.

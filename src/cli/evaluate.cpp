@@ -31,13 +31,7 @@ struct Arguments {
 struct Prediction {
   std::vector<std::uint32_t> labels;
   std::vector<Plane> planes;
-  Eigen::Vector3f centre = Eigen::Vector3f::Zero();
-};
-
-/// How many true planes there are, how many are structural, and how many of either were found.
-struct PlaneOutcome {
-  PlaneScores scores;
-  std::size_t truth = 0, structural = 0, structural_found = 0, found = 0;
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< of the cloud, to which planes relate
 };
 
 std::vector<std::uint32_t> labels_of(const fs::path& file) {
@@ -47,17 +41,6 @@ std::vector<std::uint32_t> labels_of(const fs::path& file) {
                 file.string() + ": has no field `label`; name a cloud that has one");
   }
   return std::move(cloud.labels);
-}
-
-Eigen::Vector3f centre_of(const PointCloud& cloud) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  double count = 0;
-  for (const Eigen::Vector3f& p : cloud.positions) {
-    if (!is_finite(p)) continue;
-    sum += p.cast<double>();
-    ++count;
-  }
-  return count > 0 ? Eigen::Vector3f((sum / count).cast<float>()) : Eigen::Vector3f::Zero();
 }
 
 Prediction read_prediction(const Arguments& a) {
@@ -73,7 +56,7 @@ Prediction read_prediction(const Arguments& a) {
   Result result = load_result(a.result);
   prediction.labels = std::move(result.point_label);
   for (const SupportingPlane& plane : result.planes) prediction.planes.push_back(plane.plane);
-  prediction.centre = centre_of(result.cloud);
+  prediction.origin = result.cloud.origin;
   return prediction;
 }
 
@@ -113,19 +96,23 @@ Json labels_json(const Arguments& a, const LabelScores& s) {
           {"per_region", std::move(regions)}};
 }
 
-Json planes_json(const PlaneOutcome& p) {
-  return {{"recall", p.scores.recall},
-          {"precision", p.scores.precision},
-          {"mean_angle", p.scores.mean_angle},
-          {"mean_offset", p.scores.mean_offset},
-          {"manhattan_deviation", p.scores.manhattan_deviation},
-          {"truth", p.truth},
-          {"found", p.found},
-          {"structural", p.structural},
-          {"structural_found", p.structural_found}};
+Json planes_json(const PlaneScores& p) {
+  return {{"recall", p.recall},
+          {"structural_recall", p.structural_recall},
+          {"precision", p.precision},
+          {"true_planes", p.true_planes},
+          {"structural_planes", p.structural_planes},
+          {"found_planes", p.found_planes},
+          {"invented", p.invented},
+          {"repeated", p.repeated},
+          {"mean_angle", p.mean_angle},
+          {"mean_offset", p.mean_offset},
+          {"max_angle", p.max_angle},
+          {"max_offset", p.max_offset},
+          {"manhattan_deviation", p.manhattan_deviation}};
 }
 
-void print_table(const LabelScores& s, const std::optional<PlaneOutcome>& p) {
+void print_table(const LabelScores& s, const std::optional<PlaneScores>& p) {
   std::printf("weighted overlap              %8.4f\n", s.weighted_overlap);
   std::printf("overlap                       %8.4f\n", s.overlap);
   std::printf("over-segmentation             %8.4f\n", s.over_segmentation);
@@ -134,32 +121,24 @@ void print_table(const LabelScores& s, const std::optional<PlaneOutcome>& p) {
   std::printf("variation of information      %8.4f bit\n", s.variation_of_information);
   std::printf("regions, segments             %8u %u\n", s.regions, s.segments);
   if (!p) return;
-  std::printf("plane recall, precision       %8.4f %.4f\n", p->scores.recall, p->scores.precision);
-  std::printf("plane angle error             %8.4f deg\n", p->scores.mean_angle);
-  std::printf("plane offset error            %8.4f m\n", p->scores.mean_offset);
-  std::printf("planes' deviation from 90 deg %8.4f deg\n", p->scores.manhattan_deviation);
-  std::printf("structural planes found       %8zu of %zu\n", p->structural_found, p->structural);
+  std::printf("plane recall, precision       %8.4f %.4f\n", p->recall, p->precision);
+  std::printf("structural planes' recall     %8.4f (of %u)\n", p->structural_recall,
+              p->structural_planes);
+  std::printf("planes found, invented        %8u %u\n", p->found_planes, p->invented);
+  std::printf("plane angle error, largest    %8.4f %.4f deg\n", p->mean_angle, p->max_angle);
+  std::printf("plane offset error, largest   %8.4f %.4f m\n", p->mean_offset, p->max_offset);
+  std::printf("planes' deviation from 90 deg %8.4f deg\n", p->manhattan_deviation);
 }
 
-PlaneOutcome score_against(const fs::path& truth_file, const Prediction& prediction) {
-  const std::vector<TruePlane> truth = read_true_planes(truth_file);
-  PlaneOutcome outcome;
-  outcome.scores = score_planes(prediction.planes, truth, prediction.centre);
-  outcome.truth = truth.size();
-  outcome.found = prediction.planes.size();
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    if (!truth[i].structural) continue;
-    ++outcome.structural;
-    if (outcome.scores.match[i] != kNone) ++outcome.structural_found;
-  }
-  return outcome;
+PlaneScores score_against(const fs::path& truth_file, const Prediction& prediction) {
+  return score_planes(prediction.planes, read_true_planes(truth_file, prediction.origin));
 }
 
 void run(const Arguments& a) {
   const Prediction prediction = read_prediction(a);
   const auto truth = read_truth(a, prediction.labels.size());
   const LabelScores labels = score_labels(prediction.labels, truth);
-  std::optional<PlaneOutcome> planes;
+  std::optional<PlaneScores> planes;
   if (!a.truth_planes.empty()) planes = score_against(a.truth_planes, prediction);
   if (a.console.json) {
     Json outcome = {{"labels", labels_json(a, labels)}};
