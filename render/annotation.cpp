@@ -98,10 +98,16 @@ Layout::Layout(int width_, int height_, const Annotation& annotation)
   footer = annotation.note.empty() ? 0 : std::min(static_cast<int>(1.3 * font), height / 4);
 }
 
-void annotate(vtkRenderer& renderer, const Annotation& annotation, const Layout& layout,
-              int scale) {
+void annotate(vtkRenderer& renderer, const Annotation& annotation, const Layout& layout, int scale,
+              const std::array<double, 3>& background) {
   const double font = static_cast<double>(layout.font) * scale;
   const double width = static_cast<double>(layout.width) * scale;
+  Pixel ground{};
+  for (std::size_t c = 0; c < 3; ++c)
+    ground[c] = static_cast<std::uint8_t>(std::lround(255 * background[c]));
+  add_box(renderer, 0, static_cast<double>(layout.height - layout.band) * scale, width,
+          static_cast<double>(layout.band) * scale, ground);
+  add_box(renderer, 0, 0, width, static_cast<double>(layout.footer) * scale, ground);
   double y = static_cast<double>(layout.height) * scale - 1.05 * font;
   if (!annotation.title.empty()) add_text(renderer, annotation.title, 0.6 * font, y, font, kInk);
   if (layout.legend_below_title) y -= 1.4 * font;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -42,8 +43,10 @@ struct Layout {
   bool legend_below_title = false;  ///< they do not fit side by side
 };
 
-/// Adds the words to a renderer as overlay. `scale`: the picture is drawn this much larger than
-/// the layout's pixels. \returns nothing; RemoveAllViewProps() takes them off.
-void annotate(vtkRenderer& renderer, const Annotation& annotation, const Layout& layout, int scale);
+/// Adds the words to a renderer as overlay, on the background's colour: where the scene has strays,
+/// they do not run through the words. `scale`: the picture is drawn this much larger than the
+/// layout's pixels. RemoveAllViewProps() takes all of it off.
+void annotate(vtkRenderer& renderer, const Annotation& annotation, const Layout& layout, int scale,
+              const std::array<double, 3>& background);
 
 }  // namespace planescope::draw

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 /// \file The camera as a plain value, and how it is fitted to a scene.
 namespace planescope::draw {

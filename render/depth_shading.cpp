@@ -19,8 +19,8 @@
 namespace planescope::draw {
 namespace {
 
-/// With near plane n and far plane f the depth buffer holds d = a - b / z, a = f / (f - n): so
-/// a - d is proportional to the inverse depth 1 / z.
+/// With near plane n and far plane f the depth buffer holds d = a - b / z with a = f / (f - n) and
+/// b = n a: so a - d is proportional to the inverse depth 1 / z.
 const char* const kFragmentShader = R"(//VTK::System::Dec
 //VTK::Output::Dec
 in vec2 texCoord;
@@ -28,9 +28,10 @@ uniform sampler2D colors;
 uniform sampler2D depths;
 uniform ivec2 last;     // pixel of the textures
 uniform ivec2 radii;    // [pixel] of the inner ring, which draws contours, and of the outer one
-uniform float a;
+uniform float a, b;
+uniform float noise;    // [1/m] of the depth, for each metre of it
 
-const float kTolerance = 0.0012;  // of the depth: below it lies the sensor's noise
+const float kTolerance = 0.0012;  // of the depth: roughness that is always there
 const float kMost = 0.016;        // of the depth: more is a contour, and a contour is not black
 const float kMostOuter = 0.004;   // the same of the outer ring: a soft shadow in creases
 const float kStrength = 75.0;
@@ -69,13 +70,17 @@ void main()
     color /= float(nearer);
     here = sum / float(nearer);
   }
+  float tolerance = max(kTolerance, noise * b / here);
   float shade = 0.0;
   for (int i = 0; i < 8; i += 2)
+    shade += clamp((ring[i] + ring[i + 1]) / (2.0 * here) - 1.0 - tolerance, 0.0, kMost);
+  if (texelFetch(depths, at, 0).r < 1.0)  // the background has contours, and no creases
   {
-    float inner = (ring[i] + ring[i + 1]) / (2.0 * here) - 1.0;
-    float outer = (inverseDepth(place(at, radii.y, i)) + inverseDepth(place(at, radii.y, i + 1)))
-                  / (2.0 * here) - 1.0;
-    shade += clamp(inner - kTolerance, 0.0, kMost) + clamp(outer - kTolerance, 0.0, kMostOuter);
+    for (int i = 0; i < 8; i += 2)
+    {
+      float pair = inverseDepth(place(at, radii.y, i)) + inverseDepth(place(at, radii.y, i + 1));
+      shade += clamp(pair / (2.0 * here) - 1.0 - tolerance, 0.0, kMostOuter);
+    }
   }
   gl_FragData[0] = vec4(color * exp(-kStrength * shade / 5.0), 1.0);
   gl_FragDepth = a - here;
@@ -125,11 +130,12 @@ void DepthShading::shade(vtkRenderer* renderer, vtkOpenGLRenderWindow* window) {
   program.SetUniformi("depths", depth_->GetTextureUnit());
   const int last[2] = {W - 1, H - 1};
   program.SetUniform2i("last", last);
-  // In the final picture: contours of two pixels, soft creases of six.
-  const int radii[2] = {2 * scale_, 6 * scale_};
-  program.SetUniform2i("radii", radii);
+  program.SetUniform2i("radii", radii_);
   const double* range = renderer->GetActiveCamera()->GetClippingRange();
-  program.SetUniformf("a", static_cast<float>(range[1] / (range[1] - range[0])));
+  const double a = range[1] / (range[1] - range[0]);
+  program.SetUniformf("a", static_cast<float>(a));
+  program.SetUniformf("b", static_cast<float>(a * range[0]));
+  program.SetUniformf("noise", static_cast<float>(noise_));
 
   vtkOpenGLState& gl = *window->GetState();
   gl.vtkglDisable(GL_BLEND);

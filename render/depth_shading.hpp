@@ -28,8 +28,13 @@ class DepthShading : public vtkDepthImageProcessingPass {
       void Render(const vtkRenderState* state) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
-  /// Pixels of what is drawn for each pixel of the final picture.
-  void SetScale(int scale) { scale_ = scale; }
+  /// [pixel of the picture that is drawn] Width of contours, and reach of the shadow in creases.
+  void SetRadii(int contour, int crease) {
+    radii_[0] = contour;
+    radii_[1] = crease;
+  }
+  /// [1/m] Noise of the points relative to depth, for each metre of depth: not shaded.
+  void SetNoise(double noise) { noise_ = noise; }
 
  protected:
   DepthShading();
@@ -39,7 +44,8 @@ class DepthShading : public vtkDepthImageProcessingPass {
   void prepare(vtkOpenGLRenderWindow* window);
   void shade(vtkRenderer* renderer, vtkOpenGLRenderWindow* window);
 
-  int scale_ = 1;
+  int radii_[2] = {2, 6};
+  double noise_ = 0;
   vtkNew<vtkTextureObject> color_, depth_;
   vtkNew<vtkOpenGLFramebufferObject> buffer_;
   std::unique_ptr<vtkOpenGLQuadHelper> quad_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -15,32 +16,16 @@
 #include <vtkRenderStepsPass.h>
 
 #include "depth_shading.hpp"
+#include "fit_points.hpp"
 #include "planescope/error.hpp"
+#include "sensor_noise.hpp"
 
 namespace planescope::draw {
 namespace {
 
-constexpr std::size_t kFitSample = 200'000;
+constexpr std::size_t kDepthSample = 200'000;
 // [pixel] Beyond, buffers and depth shading take more than about 4 GB.
 constexpr std::int64_t kMostPixels = std::int64_t{1} << 26;
-
-/// Points that are to be in the picture, thinned evenly: those in segments, or all if there are
-/// none.
-std::vector<Eigen::Vector3f> fit_sample(const Result& result, const Cutaway& cut) {
-  std::vector<Eigen::Vector3f> sample;
-  for (const bool only_labelled : {true, false}) {
-    const std::size_t step = 1 + result.cloud.size() / kFitSample;
-    for (std::size_t i = 0; i < result.cloud.size(); i += step) {
-      if (!is_finite(result.cloud.positions[i])) continue;
-      if (only_labelled && result.point_label[i] == kNoSegment) continue;
-      if (!cut.hides(result.cloud.positions[i], result.point_plane[i]))
-        sample.push_back(result.cloud.positions[i]);
-    }
-    if (!sample.empty()) return sample;
-  }
-  throw Error(Error::Kind::Input,
-              "nothing to draw: the scene has no finite point; is the input's unit metres?");
-}
 
 vtkSmartPointer<vtkRenderer> make_renderer(Window& window, int layer) {
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
@@ -58,16 +43,19 @@ void place(vtkRenderer& renderer, const Camera& camera, const double* clipping_r
   active.SetClippingRange(clipping_range[0], clipping_range[1]);
 }
 
-/// Nearest and farthest depth of what is drawn, with room to spare: depth is shared by renderers.
-std::array<double, 2> depth_range(const std::vector<Eigen::Vector3f>& points,
-                                  const Camera& camera) {
-  double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
-  for (const Eigen::Vector3f& p : points) {
-    const double depth = (p.cast<double>() - camera.position).dot(camera.forward());
-    nearest = std::min(nearest, depth);
+/// Nearest and farthest depth of what is drawn before the camera, with room to spare: both
+/// renderers share it, and with it the depth buffer.
+std::array<double, 2> depth_range(const PointCloud& cloud, const Camera& camera) {
+  const std::size_t step = 1 + cloud.size() / kDepthSample;
+  double nearest = std::numeric_limits<double>::infinity(), farthest = 1e-3;
+  for (std::size_t i = 0; i < cloud.size(); i += step) {
+    if (!is_finite(cloud.positions[i])) continue;
+    const double depth =
+        (cloud.positions[i].cast<double>() - camera.position).dot(camera.forward());
+    if (depth > 0) nearest = std::min(nearest, depth);
     farthest = std::max(farthest, depth);
   }
-  return {std::max(nearest * 0.8, farthest * 1e-3), farthest * 1.5};
+  return {std::clamp(0.8 * nearest, 1e-3 * farthest, 0.99 * farthest), 1.5 * farthest};
 }
 
 Actors add_all(vtkRenderer& renderer, Actors actors) {
@@ -104,11 +92,11 @@ Drawing::Drawing(const SceneData& scene, const RenderOptions& options)
       frame_(scene_frame(scene, options.up)),
       view_(choose_view(options.view, scene, frame_)),
       colors_(choose_colors(scene)),
-      fitted_(fit_sample(scene.result, {})) {
-  if (options.cull_front) {
+      fitted_(points_to_fit(scene.result, frame_, {})) {
+  if (options.cull_front && !view_.position) {  // a sensor saw all that it saw
     const Layout layout(options.size[0], options.size[1], {});
     cut_ = Cutaway(scene, frame_, camera(layout).position);
-    fitted_ = fit_sample(scene.result, cut_);
+    fitted_ = points_to_fit(scene.result, frame_, cut_);
   }
   // From above the camera's left shoulder.
   const Eigen::Vector3d across = view_.forward.cross(view_.up);
@@ -124,6 +112,8 @@ Drawing::Drawing(const SceneData& scene, const RenderOptions& options)
     vtkNew<vtkRenderStepsPass> steps;
     shading_ = vtkSmartPointer<DepthShading>::New();
     shading_->SetDelegatePass(steps);
+    if (view_.position)
+      shading_->SetNoise(depth_noise(scene.result.cloud, *view_.position, view_.forward));
     points_renderer_->SetPass(shading_);
   }
   shapes_renderer_->PreserveDepthBufferOn();
@@ -167,6 +157,11 @@ void Drawing::show(Layer layers, const Camera& camera, const Layout& layout, int
   points_->scale(
       {focal, options_.point_size * scale, static_cast<double>(scale), side * scale / 20});
   const Pen pen{scale * std::max(0.6, side / 1440), focal};
+  if (shading_) {  // at 1920 x 1080: two pixels and six
+    const double size = scale * side / 1440;
+    shading_->SetRadii(std::max(scale, static_cast<int>(std::lround(2 * size))),
+                       std::max(2 * scale, static_cast<int>(std::lround(6 * size))));
+  }
   if (has(layers, Layer::Planes))
     add_all(*shapes_renderer_, plane_layer(scene_, colors_, cut_, camera, pen));
   if (has(layers, Layer::Graph)) add_all(*shapes_renderer_, graph_layer(scene_, cut_, camera, pen));
@@ -180,11 +175,10 @@ Image Drawing::draw(Layer layers, const std::array<int, 2>& size, Annotation ann
   const int scale = supersample(size);
   shapes_renderer_->RemoveAllViewProps();
   show(layers, eye, layout, scale);
-  annotate(*shapes_renderer_, annotation, layout, scale);
-  const std::array<double, 2> depths = depth_range(fitted_, eye);
+  annotate(*shapes_renderer_, annotation, layout, scale, options_.background);
+  const std::array<double, 2> depths = depth_range(scene_.result.cloud, eye);
   place(*points_renderer_, eye, depths.data());
   place(*shapes_renderer_, eye, depths.data());
-  if (shading_) shading_->SetScale(scale);
   const Image image = downsample(window_.draw(size[0] * scale, size[1] * scale), scale);
   if (is_uniform(image, layout.band, layout.height - layout.footer)) {
     throw Error(Error::Kind::Rendering,

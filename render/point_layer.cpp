@@ -22,7 +22,7 @@
 namespace planescope::draw {
 namespace {
 
-constexpr double kOverlap = 1.5;  // splat over spacing: random samples close to the eye
+constexpr double kOverlap = 1.7;  // splat over spacing: random samples close to the eye
 
 /// The median of values, 0 without any.
 float median(std::vector<float> values) {
@@ -178,7 +178,7 @@ Pixel PointLayer::color(std::size_t point, const PointColors& way) const {
     mean[c] = static_cast<std::uint8_t>(sum[c] / std::max(ways, 1.0F));
   if (!way.faded) return mean;
   const auto grey = static_cast<std::uint8_t>(luma(mean));
-  const auto faded = static_cast<std::uint8_t>(lighten({grey, grey, grey}, 0.72)[0] * tone);
+  const auto faded = static_cast<std::uint8_t>(lighten({grey, grey, grey}, 0.78)[0] * tone);
   return {faded, faded, faded};
 }
 

@@ -46,7 +46,7 @@ struct PointScale {
   double least = 1, most = 64;        ///< [pixel of the picture that is drawn]
 };
 
-/// All finite points that are not cut away. Each is a square splat of 1.8 times the local spacing
+/// All finite points that are not cut away. Each is a square splat of 1.7 times the local spacing
 /// of the points, sqrt(area / points) of its patch, seen in perspective: surfaces close near and
 /// far, whatever the sensor's density there.
 class PointLayer {

@@ -79,6 +79,14 @@ int dash_count(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Camera&
   return std::clamp(static_cast<int>(std::lround(length / (3.6 * kOffWidth * pen.width))), 2, 12);
 }
 
+/// A dense graph is drawn with thinner lines, down to half their width, so that it does not become
+/// one blue surface: a line is a twelfth of a patch's size, as seen at the scene's middle.
+Pen for_patches(const Pen& pen, const SceneData& scene, const Camera& camera) {
+  const double depth = (camera.focal - camera.position).norm();
+  const double patch = scene.result.patch_size * pen.pixels_per_metre_at_1m / depth;
+  return {pen.width * std::clamp(patch / 12 / pen.width, 0.5, 1.0), pen.pixels_per_metre_at_1m};
+}
+
 vtkSmartPointer<vtkActor> dot_actor(const std::vector<Eigen::Vector3d>& dots, double size) {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> vertices;
@@ -137,7 +145,8 @@ Actors plane_layer(const SceneData& scene, const SceneColors& colors, const Cuta
 }
 
 Actors graph_layer(const SceneData& scene, const Cutaway& cut, const Camera& camera,
-                   const Pen& pen) {
+                   const Pen& thin) {
+  const Pen pen = for_patches(thin, scene, camera);
   vtkDataArray& plane = *scene.patches->GetPointData()->GetArray("plane");
   const double lift = 0.6 * scene.result.patch_size;
   const vtkIdType count = scene.patches->GetNumberOfPoints();

@@ -20,11 +20,11 @@
 namespace planescope::draw {
 namespace {
 
-constexpr double kUpright = 0.25;               // |n . up| of walls is below: within 14 degrees
-constexpr double kLevel = 0.97;                 // |n . up| of ceilings is above: within 14 degrees
-constexpr double kIsoPitch = 35;                // [deg]
-constexpr double kViewAngle = 30;               // [deg] a long lens: parallels stay nearly so
-constexpr double kBehind = 0.7, kBeyond = 0.8;  // shares of Cutaway's rule
+constexpr double kUpright = 0.25;  // |n . up| of walls is below: within 14 degrees
+constexpr double kLevel = 0.97;    // |n . up| of ceilings is above: within 14 degrees
+constexpr double kIsoPitch = 35;   // [deg]
+constexpr double kViewAngle = 30;  // [deg] a long lens: parallels stay nearly so
+constexpr double kBehind = 0.7, kBeyond = 0.8, kSpan = 0.6;  // shares of Cutaway's rule
 
 /// A patch as its columns say it.
 struct PatchView {
@@ -89,9 +89,35 @@ Eigen::Vector3d iso_direction(const SceneData& scene, const SceneFrame& frame) {
   return -towards;
 }
 
+/// Extent of patches along an axis [m].
+struct Range {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  void add(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  double length() const { return std::max(high - low, 0.0); }
+};
+
+/// True if the plane's patches span most of the scene along both axes that lie most in it.
+bool spans_scene(const std::vector<PatchView>& patches, std::int32_t index, const SceneFrame& frame,
+                 const Eigen::Vector3d& normal) {
+  int spanned = 0;
+  for (const Eigen::Vector3d& axis : {frame.up, frame.front, frame.right()}) {
+    if (std::abs(normal.dot(axis)) > 0.7) continue;
+    Range own, all;
+    for (const PatchView& patch : patches) {
+      all.add(patch.centroid.dot(axis));
+      if (patch.plane == index) own.add(patch.centroid.dot(axis));
+    }
+    if (own.length() > kSpan * all.length()) ++spanned;
+  }
+  return spanned == 2;
+}
+
 /// True if the plane with these patches stands between camera and scene.
 bool stands_between(const std::vector<PatchView>& patches, std::int32_t index, const Plane& plane,
-                    const Eigen::Vector3d& camera, double band) {
+                    const SceneFrame& frame, const Eigen::Vector3d& camera, double band) {
   const double camera_side = plane.signed_distance(camera.cast<float>());
   double own = 0, behind = 0, others = 0, beyond = 0;
   for (const PatchView& patch : patches) {
@@ -104,8 +130,8 @@ bool stands_between(const std::vector<PatchView>& patches, std::int32_t index, c
       if (side * camera_side < 0 || std::abs(side) < band) beyond += patch.area;
     }
   }
-  return own > 0 && behind >= kBehind * own && beyond >= kBeyond * others &&
-         std::abs(camera_side) > band;
+  if (own <= 0 || beyond < kBeyond * others || std::abs(camera_side) <= band) return false;
+  return behind >= kBehind * own || spans_scene(patches, index, frame, plane.normal.cast<double>());
 }
 
 }  // namespace
@@ -173,7 +199,7 @@ Cutaway::Cutaway(const SceneData& scene, const SceneFrame& frame, const Eigen::V
     const auto index = static_cast<std::int32_t>(k);
     const auto band =
         static_cast<float>(std::max(3.0 * planes[k].rms, 2 * scene.result.voxel_size));
-    if (!stands_between(patches, index, planes[k].plane, camera, band)) continue;
+    if (!stands_between(patches, index, planes[k].plane, frame, camera, band)) continue;
     const auto [u, v] = plane_axes(planes[k].plane.normal.cast<double>());
     constexpr float kFar = std::numeric_limits<float>::infinity();
     Slab slab{index,

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "camera.hpp"
 #include "planescope/render.hpp"
@@ -44,10 +44,11 @@ struct Viewpoint {
 Viewpoint choose_view(View view, const SceneData& scene, const SceneFrame& frame);
 
 /// What stands between camera and room and is left out: supporting planes that are upright, or a
-/// ceiling, and of which (1) at least 70 % of the patch area is seen from behind, for normals point
-/// to the side from which a surface was scanned, and (2) at least 80 % of the other patches' area
-/// lies beyond. With such a plane goes all that lies in it within a band, such as pictures on a
-/// wall, unless it lies on another plane.
+/// ceiling, where (1) at least 80 % of the other patches' area lies beyond, and (2) either at least
+/// 70 % of the plane's patch area is seen from behind, for normals point to the side from which a
+/// surface was scanned, or the plane spans 60 % of the scene both ways. At the place of an
+/// organised cloud's sensor nothing is left out. With such a plane goes all that lies in it within
+/// a band, such as pictures on a wall, unless it lies on another plane.
 class Cutaway {
  public:
   Cutaway() = default;
