@@ -32,8 +32,8 @@ vtkSmartPointer<vtkPoints> centroids(const std::vector<Patch>& patches) {
 
 void add_membership(const Segmentation& scene, vtkDataSetAttributes& data) {
   const std::size_t count = scene.graph.patches.size();
-  data.AddArray(make_column<vtkIntArray>(
-      "plane", count, [&](std::size_t i) { return scene.patch_plane[i].plane; }));
+  data.AddArray(make_column<vtkIntArray>("plane", count,
+                                         [&](std::size_t i) { return scene.patch_plane[i].plane; }));
   data.AddArray(make_column<vtkUnsignedIntArray>(
       "label", count, [&](std::size_t i) { return scene.segments.patch_label[i]; }));
 }
@@ -119,6 +119,8 @@ vtkSmartPointer<vtkPolyData> patch_geometry(const Segmentation& scene) {
   add_count("point_count", &Patch::point_count);
   add_count("voxel_count", &Patch::voxel_count);
   add_membership(scene, columns);
+  columns.AddArray(make_column<vtkFloatArray>(
+      "plane_margin", patches.size(), [&](std::size_t i) { return scene.patch_plane[i].margin; }));
   return data;
 }
 

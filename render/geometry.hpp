@@ -12,7 +12,8 @@
 namespace planescope::draw {
 
 /// The patches as vertices at their centroids. Point data: `normal` (3), `color` (3 bytes),
-/// `curvature`, `area`, `point_count`, `voxel_count`, `plane` (-1: none), `label`.
+/// `curvature`, `area`, `point_count`, `voxel_count`, `plane` (-1: none), `label`,
+/// `plane_margin`.
 vtkSmartPointer<vtkPolyData> patch_geometry(const Segmentation& scene);
 
 /// The graph: points are the patches' centroids (point data `plane`, `label`), lines the edges in

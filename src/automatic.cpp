@@ -10,8 +10,8 @@ namespace {
 
 // Two digits are all that a derived value deserves, and they read well in reports.
 double two_digits(double value) {
-  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1);
-  return std::round(value / unit) * unit;
+  const double scale = std::pow(10.0, 1 - std::floor(std::log10(value)));
+  return scale >= 1 ? std::round(value * scale) / scale : std::round(value);  // shortest decimals
 }
 
 }  // namespace
@@ -20,13 +20,15 @@ Options Options::automatic(const PointCloud& cloud) {
   const CloudScale scale = measure_scale(cloud);
   const double extent = double(scale.extent.norm());
   Options options;
-  // What is worth separating grows with the scene: a cup on a table, a chair in a flat. Voxels must meet their
-  // neighbours, so they are well above the spacing; patches need voxels, and normals a base well above the noise.
+  // What is worth separating grows with the scene: a cup on a table, a chair in a flat. Voxels must
+  // meet their neighbours, so they are well above the spacing; patches need voxels, and normals a
+  // base well above the noise.
   const double patch = std::max({0.03, extent / 200, 5.6 * scale.spacing, 10 * scale.noise});
   const double voxel = std::max(patch / 4, 1.5 * scale.spacing);
   options.patches.voxel_size = two_digits(voxel);
   options.patches.patch_size = two_digits(patch);
-  // Patches of one surface lie within a few deviations of its plane; what lies further off is another thing.
+  // Patches of one surface lie within a few deviations of its plane; what lies further off is
+  // another thing.
   options.planes.sigma = two_digits(std::clamp(std::max(5 * scale.noise, voxel / 2), 0.01, 0.2));
   // Supporting planes carry the scene: a table top among cups, the walls among furniture.
   options.planes.min_area = two_digits(0.04 * extent * extent);

@@ -77,25 +77,19 @@ float rough_spacing(const PointCloud& cloud, const std::vector<std::uint32_t>& s
   return cell * std::sqrt(float(cells.keys().size()) / float(points));
 }
 
-// What each place saw within the radius: moments about the place.
-struct Place {
-  Eigen::Vector3f position;
-  Moments moments;
-};
-
-// The places whose radius may reach into a cell, in compressed rows by cell.
+// The places whose radius may reach into a cell, by cell.
 struct PlaceIndex {
   BlockMap cells;
   std::vector<std::vector<std::uint32_t>> places;
 };
 
-PlaceIndex index_places(const std::vector<Place>& places, const Eigen::Vector3f& low,
-                        float radius) {
+PlaceIndex index_places(const PointCloud& cloud, const std::vector<std::uint32_t>& places,
+                        const Eigen::Vector3f& low, float radius) {
   PlaceIndex index;
   for (std::uint32_t p = 0; p < places.size(); ++p) {
     for (int i = 0; i < 27; ++i) {
-      const std::uint64_t key =
-          cell_key(places[p].position, low, 1 / radius, i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+      const std::uint64_t key = cell_key(cloud.positions[places[p]], low, 1 / radius, i % 3 - 1,
+                                         i / 3 % 3 - 1, i / 9 - 1);
       const std::uint32_t cell = index.cells.insert(key);
       if (cell == index.places.size()) index.places.emplace_back();
       index.places[cell].push_back(p);
@@ -104,9 +98,11 @@ PlaceIndex index_places(const std::vector<Place>& places, const Eigen::Vector3f&
   return index;
 }
 
-void look_around(const PointCloud& cloud, const std::vector<std::uint32_t>& finite,
-                 const Eigen::Vector3f& low, float radius, std::vector<Place>& places) {
-  const PlaceIndex index = index_places(places, low, radius);
+// What each place sees within the radius: moments about the place.
+std::vector<Moments> look_around(const PointCloud& cloud, const std::vector<std::uint32_t>& finite,
+                                 const std::vector<std::uint32_t>& places,
+                                 const Eigen::Vector3f& low, float radius) {
+  const PlaceIndex index = index_places(cloud, places, low, radius);
   struct Hit {
     std::uint32_t place, point;
   };
@@ -120,16 +116,18 @@ void look_around(const PointCloud& cloud, const std::vector<std::uint32_t>& fini
       const std::uint32_t cell = index.cells.find(cell_key(p, low, 1 / radius, 0, 0, 0));
       if (cell == BlockMap::kAbsent) continue;
       for (const std::uint32_t place : index.places[cell]) {
-        if ((p - places[place].position).squaredNorm() <= radius * radius)
-          hits[chunk].push_back({place, finite[i]});
+        const float distance = (p - cloud.positions[places[place]]).squaredNorm();
+        if (distance <= radius * radius) hits[chunk].push_back({place, finite[i]});
       }
     }
   });
+  std::vector<Moments> seen(places.size());
   for (const auto& chunk : hits) {
     for (const Hit& hit : chunk) {
-      places[hit.place].moments.add(cloud.positions[hit.point] - places[hit.place].position);
+      seen[hit.place].add(cloud.positions[hit.point] - cloud.positions[places[hit.place]]);
     }
   }
+  return seen;
 }
 
 float median(std::vector<float> values) {
@@ -148,6 +146,27 @@ float plane_noise(const Moments& m) {
   return std::sqrt(smallest * m.count / (m.count - 3));
 }
 
+// The radius at which a place of a surface sees enough points.
+float reach(float spacing) {
+  return std::max(spacing * std::sqrt(kWantedNeighbours / std::numbers::pi_v<float>), 1e-6f);
+}
+
+float find_spacing(const std::vector<Moments>& seen, float radius) {
+  std::vector<float> spacings;
+  for (const Moments& m : seen) {
+    spacings.push_back(radius * std::sqrt(std::numbers::pi_v<float> / std::max(m.count, 1.0f)));
+  }
+  return std::max(median(std::move(spacings)), 1e-6f);
+}
+
+float find_noise(const std::vector<Moments>& seen) {
+  std::vector<float> noises;
+  for (const Moments& m : seen) {
+    if (m.count >= 8) noises.push_back(plane_noise(m));
+  }
+  return median(std::move(noises));
+}
+
 }  // namespace
 
 CloudScale measure_scale(const PointCloud& cloud) {
@@ -161,26 +180,24 @@ CloudScale measure_scale(const PointCloud& cloud) {
   const Percentiles box = find_percentiles(cloud, sample);
   scale.extent = box.high - box.low;
 
+  const std::vector<std::uint32_t> queries = every(finite, kQueries);
+  const auto look = [&](float radius) {
+    return look_around(cloud, finite, queries, box.low, radius);
+  };
   float spacing = rough_spacing(cloud, sample, finite.size(), box);
-  std::vector<float> densities, noises;
-  // The first look corrects the radius, the second measures with it.
-  for (int look = 0; look < 2; ++look) {
-    const float radius = spacing * std::sqrt(kWantedNeighbours / std::numbers::pi_v<float>);
-    std::vector<Place> places;
-    for (const std::uint32_t i : every(finite, kQueries))
-      places.push_back({cloud.positions[i], {}});
-    look_around(cloud, finite, box.low, std::max(radius, 1e-6f), places);
-    densities.clear();
-    noises.clear();
-    for (const Place& place : places) {
-      densities.push_back(
-          radius * std::sqrt(std::numbers::pi_v<float> / std::max(place.moments.count, 1.0f)));
-      if (place.moments.count >= 8) noises.push_back(plane_noise(place.moments));
-    }
-    spacing = std::max(median(densities), 1e-6f);
+  spacing = find_spacing(look(reach(spacing)), reach(spacing));  // corrects the radius ...
+  float radius = reach(spacing);
+  std::vector<Moments> seen = look(radius);
+  spacing = find_spacing(seen, radius);  // ... that this one measures with
+  float noise = find_noise(seen);
+  // A plane through points that noise scatters as widely as the radius fits anything: look further.
+  constexpr int kMoreLooks = 3;
+  for (int k = 0; k < kMoreLooks && noise > 0.15f * radius; ++k) {
+    radius *= 2;
+    noise = find_noise(look(radius));
   }
   scale.spacing = double(spacing);
-  scale.noise = double(median(noises));
+  scale.noise = double(noise);
   return scale;
 }
 

@@ -72,7 +72,7 @@ TEST(OptionTable, EachNameReachesItsOwnMember) {
   set_option(o, "edges.concavity_tolerance", "11");
   set_option(o, "edges.smoothness_tolerance", "0.2");
   set_option(o, "edges.singular_angle", "45");
-  set_option(o, "edges.extended_convexity", "false");
+  set_option(o, "edges.extended_convexity", "true");
   set_option(o, "segments.min_patches", "8");
   EXPECT_EQ(o.patches.voxel_size, 0.011);
   EXPECT_EQ(o.patches.patch_size, 0.12);
@@ -97,7 +97,7 @@ TEST(OptionTable, EachNameReachesItsOwnMember) {
   EXPECT_EQ(o.edges.concavity_tolerance, 11);
   EXPECT_EQ(o.edges.smoothness_tolerance, 0.2);
   EXPECT_EQ(o.edges.singular_angle, 45);
-  EXPECT_FALSE(o.edges.extended_convexity);
+  EXPECT_TRUE(o.edges.extended_convexity);
   EXPECT_EQ(o.segments.min_patches, 8u);
   EXPECT_NO_THROW(o.validate());
 }

@@ -102,7 +102,7 @@ class ToySceneBuilder {
       scene.point_plane.push_back(face.plane);
     }
     scene.graph.patches.push_back(patch);
-    scene.patch_plane.push_back(face.plane);
+    scene.patch_plane.push_back({face.plane, 0.5F});
     scene.segments.patch_label.push_back(face.label);
   }
 
@@ -136,7 +136,7 @@ class ToySceneBuilder {
 
   void add_edge(std::uint32_t i, std::uint32_t j) {
     Segmentation& scene = toy_.scene;
-    const std::int32_t a = scene.patch_plane[i], b = scene.patch_plane[j];
+    const std::int32_t a = scene.patch_plane[i].plane, b = scene.patch_plane[j].plane;
     const bool same = scene.segments.patch_label[i] == scene.segments.patch_label[j];
     Edge edge;
     edge.first = i;
@@ -163,7 +163,7 @@ class ToySceneBuilder {
       ++segment.patch_count;
       segment.point_count += patch.point_count;
       segment.area += patch.area;
-      const std::int32_t index = scene.patch_plane[i];
+      const std::int32_t index = scene.patch_plane[i].plane;
       if (index == kNone) continue;
       segment.plane = index;
       while (scene.planes.size() <= static_cast<std::size_t>(index)) scene.planes.emplace_back();

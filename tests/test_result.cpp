@@ -129,7 +129,7 @@ TEST(Result, JsonSaysWhatTheSceneHolds) {
   EXPECT_EQ(all["options"].size(), option_table().size());
   EXPECT_EQ(all["options"]["planes.sigma"], 0.01);
   EXPECT_EQ(all["options"]["planes.solver"], "lsa_tr+tabu");
-  EXPECT_EQ(all["options"]["edges.extended_convexity"], true);
+  EXPECT_EQ(all["options"]["edges.extended_convexity"], false);
   EXPECT_EQ(all["planes"][0]["area"], 0.1) << "a float keeps its shortest text";
   EXPECT_EQ(all["hypotheses"]["proposed"], 9);
   ASSERT_EQ(all["hypotheses"]["rejected"].size(), 1u);

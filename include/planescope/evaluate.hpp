@@ -30,7 +30,7 @@ struct LabelScores {
       0;  ///< F_os: 1 - mean share of a region that its best segment (by intersection) covers
   double under_segmentation = 0;  ///< F_us: share of points in segments that lie outside the
                                   ///< segment's main region; 0 if no point is in a segment
-  double adjusted_rand = 0;  ///< ARI (Hubert and Arabie 1985); unlabelled predictions are
+  double adjusted_rand = 0;       ///< ARI (Hubert and Arabie 1985); unlabelled predictions are
                              ///< singletons; 1 where truth and prediction are both trivial alike
   double variation_of_information =
       0;  ///< [bit] H(R|S) + H(S|R) (Meila 2007); unlabelled predictions are one class

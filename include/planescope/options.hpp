@@ -73,9 +73,13 @@ struct EdgeOptions {
       10.0;  ///< [deg] a concave edge with a smaller angle between normals is ON
   double smoothness_tolerance =
       0.1;  ///< [1] allowed step, in voxel sizes, beyond what the normals explain
-  double singular_angle = 60.0;  ///< [deg] upper end of LCCP's sanity criterion; 0 switches it off
-  bool extended_convexity =
-      true;  ///< a convex edge needs a common neighbour that is convex to both
+  /// [deg] upper end of LCCP's sanity criterion; 0 switches it off. Differs from LCCP, which has
+  /// 60: at the sharp folds of boxes that refuses half of the edges.
+  double singular_angle = 40.0;
+  /// A convex edge needs a common neighbour that is convex to both. Differs from LCCP, which needs
+  /// it against leaks to the supporting surface: here the planes have cut those, and objects a few
+  /// patches wide lack such neighbours.
+  bool extended_convexity = false;
 };
 
 /// Connected components of ON edges.

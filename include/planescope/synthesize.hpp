@@ -62,7 +62,7 @@ struct SynthesizedScene {
 /// edges, and nearer than 0.5 m or farther than 6 m.
 ///
 /// Same options, same bytes, at any number of threads.
-/// 	hrows Error{Kind::Usage} a value is out of range.
+/// \throws Error{Kind::Usage} a value is out of range.
 SynthesizedScene synthesize(const SynthesisOptions& options);
 
 /// Writes what synthesize() knows beside the cloud: objects and planes as JSON, whole or not at

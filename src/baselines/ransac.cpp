@@ -135,7 +135,7 @@ void cluster_rest(const Cloud::Ptr& points, const RansacOptions& options, pcl::I
   tree->setInputCloud(left);
   pcl::EuclideanClusterExtraction<pcl::PointXYZ> extraction;
   extraction.setClusterTolerance(options.cluster_tolerance);
-  extraction.setMinClusterSize(static_cast<int>(options.min_cluster_size));
+  extraction.setMinClusterSize(options.min_cluster_size);
   extraction.setMaxClusterSize(std::numeric_limits<int>::max());
   extraction.setSearchMethod(tree);
   extraction.setInputCloud(left);

@@ -17,6 +17,13 @@ Rgb lighten(const Rgb& color, double by) {
   return {channel(color.r), channel(color.g), channel(color.b)};
 }
 
+// Spelled out: this is asked for every point and solid, in builds without optimisation too.
+bool within(const Box3d& box, const Vector3d& p) {
+  const double *low = box.min().data(), *high = box.max().data(), *x = p.data();
+  return low[0] <= x[0] && x[0] <= high[0] && low[1] <= x[1] && x[1] <= high[1] && low[2] <= x[2] &&
+         x[2] <= high[2];
+}
+
 bool odd(double x) { return (static_cast<std::int64_t>(std::floor(x)) & 1) != 0; }
 
 // A face of a box: how its own axes lie in the box's frame.
@@ -73,6 +80,13 @@ Rgb shade(const Material& material, const Vector2d& texture, Random& random) {
   return lighten(second ? material.second : material.base, brightness);
 }
 
+void Scene::add_solid(const Solid& solid) {
+  const Box3d bounds = solid.bounds();
+  const Vector3d gap = Vector3d::Constant(kHiddenGap);
+  solids_.push_back(solid);
+  reach_.emplace_back(bounds.min() - gap, bounds.max() + gap);
+}
+
 std::uint32_t Scene::add(const Piece& piece, const Isometry3d& pose, const std::string& name) {
   objects_.push_back(name);
   for (const Part& part : piece.parts) add_part(part, pose, name);
@@ -82,7 +96,7 @@ std::uint32_t Scene::add(const Piece& piece, const Isometry3d& pose, const std::
 std::uint32_t Scene::add_structure(const Solid& slab, const Material& material,
                                    const std::string& name) {
   objects_.push_back(name);
-  solids_.push_back(slab);
+  add_solid(slab);
   Surface surface;
   surface.geometry = box_face(slab, kBoxFaces[0]);
   surface.material = material;
@@ -97,7 +111,7 @@ std::uint32_t Scene::add_structure(const Solid& slab, const Material& material,
 void Scene::add_part(const Part& part, const Isometry3d& pose, const std::string& owner) {
   Solid solid = part.solid;
   solid.pose = pose * part.solid.pose;
-  solids_.push_back(solid);
+  add_solid(solid);
   Surface surface;
   surface.material = part.material;
   surface.label = static_cast<std::uint32_t>(objects_.size());
@@ -134,16 +148,11 @@ void Scene::add_round_faces(const Solid& solid, Surface surface, const std::stri
 }
 
 std::vector<std::vector<std::uint32_t>> Scene::find_occluders() const {
-  std::vector<Box3d> boxes;
-  boxes.reserve(solids_.size());
-  for (const Solid& solid : solids_) boxes.push_back(solid.bounds());
   std::vector<std::vector<std::uint32_t>> occluders(surfaces_.size());
-  const Vector3d reach = Vector3d::Constant(kHiddenGap);
   for (std::size_t s = 0; s < surfaces_.size(); ++s) {
-    Box3d near = surfaces_[s].geometry.bounds();
-    near = {near.min() - reach, near.max() + reach};
-    for (std::uint32_t k = 0; k < boxes.size(); ++k) {
-      if (k != surfaces_[s].solid && near.intersects(boxes[k])) occluders[s].push_back(k);
+    const Box3d bounds = surfaces_[s].geometry.bounds();
+    for (std::uint32_t k = 0; k < reach_.size(); ++k) {
+      if (k != surfaces_[s].solid && bounds.intersects(reach_[k])) occluders[s].push_back(k);
     }
   }
   return occluders;
@@ -151,8 +160,9 @@ std::vector<std::vector<std::uint32_t>> Scene::find_occluders() const {
 
 bool Scene::hidden(const SurfacePoint& point, const std::vector<std::uint32_t>& occluders) const {
   const Vector3d ahead = point.position + kHiddenGap * point.normal;
-  return std::any_of(occluders.begin(), occluders.end(),
-                     [&](std::uint32_t k) { return solids_[k].blocks(point.position, ahead); });
+  return std::any_of(occluders.begin(), occluders.end(), [&](std::uint32_t k) {
+    return within(reach_[k], point.position) && solids_[k].blocks(point.position, ahead);
+  });
 }
 
 VisiblePart Scene::visible_part(const Surface& surface,
@@ -166,6 +176,7 @@ VisiblePart Scene::visible_part(const Surface& surface,
   const int columns = std::clamp(static_cast<int>(width / kCell), 16, 256);
   const int rows = std::clamp(static_cast<int>(height / kCell), 16, 256);
   VisiblePart part;
+  if (occluders.empty()) return {geometry.area(), geometry.pose.translation()};
   std::size_t free = 0;
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {

@@ -94,7 +94,10 @@ class Scene {
   void add_box_faces(const Solid& solid, Surface surface, const std::string& name);
   void add_round_faces(const Solid& solid, Surface surface, const std::string& name);
 
+  void add_solid(const Solid& solid);
+
   std::vector<Solid> solids_;
+  std::vector<Box3d> reach_;  ///< per solid: where points are that it could hide
   std::vector<Surface> surfaces_;
   std::vector<std::string> objects_;
 };
