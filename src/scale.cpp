@@ -182,10 +182,15 @@ double find_connected_voxel(const PointCloud& cloud, double smallest) {
   constexpr int kSteps = 6;
   double size = smallest;
   if (cloud.organised()) return size;  // a picture's pixels are as dense along as across
-  for (int step = 0; step < kSteps; ++step, size *= kStep) {
-    const VoxelGrid grid = make_voxel_grid(cloud, size, false);
-    const auto degree = double(grid.neighbours.size()) / double(grid.voxel_count());
-    if (degree >= kWantedDegree) break;
+  try {
+    for (int step = 0; step < kSteps; ++step, size *= kStep) {
+      const VoxelGrid grid = make_voxel_grid(cloud, size, false);
+      const auto degree = double(grid.neighbours.size()) / double(grid.voxel_count());
+      if (degree >= kWantedDegree) break;
+    }
+  } catch (const Error&
+               error) {  // an outlier beyond any grid: make_patches() says so, not a measurement
+    if (error.kind() != Error::Kind::Computation) throw;
   }
   return size;
 }

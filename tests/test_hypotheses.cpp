@@ -130,12 +130,13 @@ TEST(FitPlane, GoesByTheNormalsWhereCentroidsFixNoPlane) {
   EXPECT_LT(degrees_between(fit_plane(index, all, start, 0.05).normal, V(0, 0.6f, 0.8f)), 0.1);
 }
 
-TEST(SupportThreshold, IsAnAreaInMedianPatches) {
+TEST(SupportThreshold, IsAnAreaInPatchesThatASurfaceLiesIn) {
   std::vector<Patch> patches(5);
   EXPECT_DOUBLE_EQ(support_threshold(patches, 0.5), 3);  // no areas
-  const float areas[] = {0.01f, 0.02f, 0.01f, 5.0f, 0.01f};
+  // Three specks and two patches: half of the 430 square centimetres is reached in the first patch.
+  const float areas[] = {0.02f, 0.001f, 0.02f, 0.001f, 0.001f};
   for (std::size_t i = 0; i < 5; ++i) patches[i].area = areas[i];
-  EXPECT_NEAR(support_threshold(patches, 0.5), 50, 1e-4);
+  EXPECT_NEAR(support_threshold(patches, 0.5), 25, 1e-4);
   EXPECT_DOUBLE_EQ(support_threshold(patches, 0.001), 3);
 }
 
