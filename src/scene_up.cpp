@@ -63,7 +63,10 @@ Eigen::Vector3f scene_up(const Segmentation& scene, const PointCloud& cloud) {
   }
   const Candidate z = largest_level_plane(scene, Eigen::Vector3f::UnitZ(), 0.9f, true);
   const Candidate y = largest_level_plane(scene, -Eigen::Vector3f::UnitY(), 0.9f, true);
-  if (z.area > 0 || y.area == 0) return z.up;
+  // Maps are mostly z-up; those in the frame of a first camera have y along the vertical and a wall
+  // or none along z. A floor is larger than a wall, but in a narrow place.
+  constexpr float kClearlyLarger = 1.5f;
+  if (y.area <= kClearlyLarger * z.area) return z.up;
   return upside_down(scene, y.up) ? Eigen::Vector3f(-y.up) : y.up;
 }
 
