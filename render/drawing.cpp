@@ -24,7 +24,7 @@ namespace planescope::draw {
 namespace {
 
 constexpr std::size_t kDepthSample = 200'000;
-// [pixel] Beyond, buffers and depth shading take more than about 4 GB.
+// [pixel] Here all buffers together take about 5 GB.
 constexpr std::int64_t kMostPixels = std::int64_t{1} << 26;
 
 vtkSmartPointer<vtkRenderer> make_renderer(Window& window, int layer) {
