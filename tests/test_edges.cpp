@@ -31,7 +31,8 @@ struct Pair {
     graph.adjacency = {{0, 1, 5}};
     graph.voxel_size = 0.01f;
     graph.patch_size = 2.0f;  // steps do not decide unless a test says so
-    options.singular_angle = 60;  // LCCP's own
+    options.singular_angle = 60;  // these two are LCCP's own
+    options.smoothness_tolerance = 0.1;
   }
 
   Edge classify() const { return classify_edges(graph, planes, options).front(); }

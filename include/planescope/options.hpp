@@ -71,8 +71,9 @@ struct PlaneOptions {
 struct EdgeOptions {
   double concavity_tolerance =
       10.0;  ///< [deg] a concave edge with a smaller angle between normals is ON
-  double smoothness_tolerance =
-      0.1;  ///< [1] allowed step, in voxel sizes, beyond what the normals explain
+  /// [1] allowed step, in voxel sizes, beyond what the normals explain. Differs from LCCP, which
+  /// has 0.1: centroids of patches that hold both sides of a board lie further apart than that.
+  double smoothness_tolerance = 1.0;
   /// [deg] upper end of LCCP's sanity criterion; 0 switches it off. Differs from LCCP, which has
   /// 60: at the sharp folds of boxes that refuses half of the edges.
   double singular_angle = 40.0;
