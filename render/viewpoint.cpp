@@ -130,7 +130,10 @@ bool stands_between(const std::vector<PatchView>& patches, std::int32_t index, c
       if (side * camera_side < 0 || std::abs(side) < band) beyond += patch.area;
     }
   }
-  if (own <= 0 || beyond < kBeyond * others || std::abs(camera_side) <= band) return false;
+  // A wall hides a room; where there is less behind it than it is large itself, it is what was
+  // scanned.
+  if (own <= 0 || others < own) return false;
+  if (beyond < kBeyond * others || std::abs(camera_side) <= band) return false;
   return behind >= kBehind * own || spans_scene(patches, index, frame, plane.normal.cast<double>());
 }
 

@@ -44,7 +44,8 @@ struct Viewpoint {
 Viewpoint choose_view(View view, const SceneData& scene, const SceneFrame& frame);
 
 /// What stands between camera and room and is left out: supporting planes that are upright, or a
-/// ceiling, where (1) at least 80 % of the other patches' area lies beyond, and (2) either at least
+/// ceiling, where (1) at least 80 % of the other patches' area lies beyond, and that area is larger
+/// than the plane's own: there is a room behind, and (2) either at least
 /// 70 % of the plane's patch area is seen from behind, for normals point to the side from which a
 /// surface was scanned, or the plane spans 60 % of the scene both ways. At the place of an
 /// organised cloud's sensor nothing is left out. With such a plane goes all that lies in it within

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
+#include "planescope/error.hpp"
 #include "planescope/options.hpp"
 
 namespace planescope {
@@ -26,6 +28,14 @@ Options Options::automatic(const PointCloud& cloud) {
   const double base = std::max({0.03, extent / 200, 10 * scale.noise});
   const double voxel = std::max(base / 4, scale.connected_voxel);
   const double patch = std::max(base, 3.75 * voxel);
+  constexpr double kLargestVoxel = 2;  // [m] indoors, a voxel this large is a mistake of units
+  if (!(voxel <= kLargestVoxel)) {
+    std::ostringstream message;
+    message << "the cloud spans " << extent << " m and its points lie " << scale.spacing
+            << " m apart: is it in millimetres? Scale it to metres, or give the options yourself "
+               "(--preset room)";
+    throw Error(Error::Kind::Computation, message.str());
+  }
   options.patches.voxel_size = two_digits(voxel);
   options.patches.patch_size = two_digits(patch);
   // Patches of one surface lie within a few deviations of its plane; what lies further off is

@@ -3,11 +3,13 @@
 #include "planescope/pipeline.hpp"
 
 #include <chrono>
+#include <sstream>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include "planes/support.hpp"
+#include "planescope/error.hpp"
 
 namespace planescope {
 namespace {
@@ -37,6 +39,17 @@ std::vector<Plane> selected_planes(const PlaneSelection& selection) {
   return planes;
 }
 
+// No patch has voxels enough to be one: the scale does not fit the cloud.
+[[noreturn]] void refuse_scale(const PointCloud& cloud, const PatchOptions& options) {
+  const CloudScale scale = measure_scale(cloud);
+  std::ostringstream message;
+  message << "no surface patch at --voxel-size " << options.voxel_size << " and --patch-size "
+          << options.patch_size << ": points lie about " << scale.spacing
+          << " m apart, the cloud spans " << scale.extent.norm()
+          << " m; take --preset auto, or voxels of some spacings";
+  throw Error(Error::Kind::Computation, message.str());
+}
+
 // What holds for a patch holds for its points.
 void label_points(Segmentation& scene) {
   const std::vector<std::int32_t>& point_patch = scene.graph.point_patch;
@@ -64,6 +77,7 @@ Segmentation segment(const PointCloud& cloud, const Options& options, const Prog
 
   clock.start(times.patches);
   scene.graph = make_patches(cloud, options.patches, progress);  // III-A
+  if (scene.graph.patches.empty()) refuse_scale(cloud, options.patches);
   clock.start(times.hypotheses);
   scene.selection = select_planes(  // IV-A, IV-B
       scene.graph, options.planes, [&](std::string_view stage, double fraction) {

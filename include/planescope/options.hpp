@@ -103,6 +103,7 @@ struct Options {
   static Options tabletop();
   /// Radii, sigma and minimum area from the cloud's own spacing, extent and noise; why: see
   /// describe_scale(). \throws Error{Kind::Input} no finite point.
+  /// \throws Error{Kind::Computation} it is far too large for metres.
   static Options automatic(const PointCloud& cloud);
 
   /// \throws Error{Kind::Usage} an option is out of range or contradicts another: its name, value,

@@ -49,7 +49,7 @@ struct Segmentation {
 
 /// Runs the method on a cloud.
 /// \throws Error{Kind::Usage} options are invalid; \throws Error{Kind::Input} no finite point;
-/// \throws Error{Kind::Computation} the cloud does not fit the voxel size.
+/// \throws Error{Kind::Computation} the cloud does not fit the voxel size, or no patch forms at it.
 Segmentation segment(const PointCloud& cloud, const Options& options,
                      const Progress& progress = {});
 

@@ -178,6 +178,10 @@ void print_table(const Scores& scores) {
 }
 
 void run(const Arguments& a) {
+  if (!(a.require_overlap >= 0 && a.require_overlap <= 1)) {  // nan too
+    throw Error(Error::Kind::Usage,
+                "--require-overlap is " + std::to_string(a.require_overlap) + "; it takes 0 to 1");
+  }
   const Scores scores = score(a, read_prediction(a));
   if (a.console.json) {
     print_json(a, scores);

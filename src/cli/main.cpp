@@ -5,6 +5,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <system_error>
 
 #include "cli/command.hpp"
 #include "planescope/error.hpp"
@@ -23,12 +24,18 @@ int fail(std::string message, planescope::Error::Kind kind) {
 int main(int argc, char** argv) {
   using Kind = planescope::Error::Kind;
   try {
-    return planescope::cli::run_program(argc, argv);
+    const int code = planescope::cli::run_program(argc, argv);
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+    return fail("stdout: what was asked for could not be written; is it closed, or the disk full?",
+                Kind::Input);
   } catch (const planescope::Error& error) {
     return fail(error.what(), error.kind());
   } catch (const std::bad_alloc&) {
     return fail("out of memory; give it more, or take a larger --voxel-size or fewer points",
                 Kind::Computation);
+  } catch (const std::system_error& error) {  // files: std::filesystem, streams
+    return fail(std::string(error.what()) + "; is it a file that can be read and written?",
+                Kind::Input);
   } catch (const std::exception& error) {
     return fail(std::string("internal error: ") + error.what() + "; please report it",
                 Kind::Internal);

@@ -8,6 +8,7 @@
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/values.hpp"
+#include "planescope/error.hpp"
 #include "planescope/render.hpp"
 
 namespace planescope::cli {
@@ -37,6 +38,10 @@ RenderOptions drawing(const Arguments& a) {
 }
 
 void run(const Arguments& a) {
+  if (a.png.extension() != ".png") {
+    throw Error(Error::Kind::Usage,
+                "-o is `" + a.png.string() + "`; it takes a name that ends in .png");
+  }
   render(a.folder, drawing(a), a.png);
   a.console.say(a.png.string());
   if (a.console.json) {

@@ -17,6 +17,7 @@
 #include "cli/staged_folder.hpp"
 #include "cli/values.hpp"
 #include "io/whole_file.hpp"
+#include "planescope/error.hpp"
 #include "planescope/io.hpp"
 #include "planescope/pipeline.hpp"
 #include "planescope/render.hpp"
@@ -115,6 +116,8 @@ void run(Arguments& a) {
   a.engine.check();
   RenderOptions drawing;
   a.camera.apply(drawing);
+  if (a.folder.empty())
+    throw Error(Error::Kind::Usage, "-o is empty; name a folder for the result");
   check_writable(a.folder);
   std::unique_ptr<TbbLimit> limit;
   if (a.threads > 0) {
@@ -147,8 +150,10 @@ Command add_segment(CLI::App& program) {
   a->camera.declare(*command);
   command->add_flag("--no-pictures", a->no_pictures, "Write no PNG (needs no OpenGL)");
   command->add_option("--threads", a->threads, "Threads at most (all); the result is the same")
+      ->check(CLI::Range(1, 1024))
       ->type_name("N");
   command->add_option("--max-points", a->max_points, "Refuse clouds of more points")
+      ->check(CLI::PositiveNumber)
       ->type_name("N");
   a->console.declare(*command);
   return {command, [a] { run(*a); }};

@@ -60,9 +60,10 @@ std::vector<std::string> StagedFolder::publish(const std::string& key,
   }
   std::ranges::sort(names);
   fs::create_directories(target_);
-  fs::remove(target_ / key);
-  for (const std::string& name : owned) {
-    if (!std::ranges::binary_search(names, name)) fs::remove(target_ / name);
+  if (fs::remove(target_ / key)) {  // a result of ours was here: none of its files outlives it
+    for (const std::string& name : owned) {
+      if (!std::ranges::binary_search(names, name)) fs::remove(target_ / name);
+    }
   }
   for (const std::string& name : names) {
     if (name != key) fs::rename(staging_ / name, target_ / name);

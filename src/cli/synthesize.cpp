@@ -64,8 +64,10 @@ Command add_synthesize(CLI::App& program) {
       command->add_option("--points", a->options.points, "Sampled evenly: this many points")
           ->capture_default_str();
   command->add_option("--views", a->options.views, "Seen by this many depth cameras instead")
+      ->check(CLI::PositiveNumber)
       ->excludes(points);
   command->add_option("--random-seed", a->options.random_seed, "Another seed, another room")
+      ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command
       ->add_option("--noise", a->options.noise,
