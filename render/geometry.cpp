@@ -116,6 +116,7 @@ vtkSmartPointer<vtkPolyData> patch_geometry(const Segmentation& scene) {
       "color", patches.size(), [&](std::size_t i) { return patches[i].color; }));
   add("curvature", &Patch::curvature);
   add("area", &Patch::area);
+  add("scale", &Patch::scale);
   add_count("point_count", &Patch::point_count);
   add_count("voxel_count", &Patch::voxel_count);
   add_membership(scene, columns);

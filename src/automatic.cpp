@@ -6,6 +6,7 @@
 
 #include "planescope/error.hpp"
 #include "planescope/options.hpp"
+#include "single_scan.hpp"
 
 namespace planescope {
 namespace {
@@ -14,6 +15,20 @@ namespace {
 double two_digits(double value) {
   const double scale = std::pow(10.0, 1 - std::floor(std::log10(value)));
   return scale >= 1 ? std::round(value * scale) / scale : std::round(value);  // shortest decimals
+}
+
+// A camera's steps of depth grow with z^2, twice the noise each (Khoshelham and Elberink): the
+// smallest exponent at which voxels that are good at the median range still hold two steps far
+// away.
+double view_exponent(const CloudScale& scale, double voxel) {
+  constexpr double kLargest = 0.7, kStep = 0.1;
+  const double steps = 2.5 * 0.0014 * scale.far_range * scale.far_range;
+  const double growth = scale.far_range / scale.median_range;
+  double exponent = 0;
+  while (exponent < kLargest && voxel * std::pow(growth, exponent) / (1 - exponent) < steps) {
+    exponent += kStep;
+  }
+  return std::round(exponent * 10) / 10;
 }
 
 }  // namespace
@@ -38,6 +53,10 @@ Options Options::automatic(const PointCloud& cloud) {
   }
   options.patches.voxel_size = two_digits(voxel);
   options.patches.patch_size = two_digits(patch);
+  if (scale.median_range > 0) {
+    options.patches.range_exponent =
+        cloud.organised() ? view_exponent(scale, voxel) : kScanRangeExponent;
+  }
   // Patches of one surface lie within a few deviations of its plane; what lies further off is
   // another thing.
   options.planes.sigma = two_digits(std::clamp(std::max(5 * scale.noise, voxel / 2), 0.01, 0.2));

@@ -44,8 +44,9 @@ Edge measure(const PatchGraph& graph, const Adjacency& pair, const EdgeOptions& 
   edge.singular_angle = sine > 0 ? angle_degrees(std::abs(d.dot(fold)) / sine) : 90.0f;
   edge.singular_limit = singular_limit(edge.normal_angle, options);
   edge.step = length * std::min(std::abs(d.dot(a.normal)), std::abs(d.dot(b.normal)));
-  edge.step_limit =
-      sine * graph.patch_size + static_cast<float>(options.smoothness_tolerance) * graph.voxel_size;
+  edge.step_limit = std::max(a.scale, b.scale) *
+                    (sine * graph.patch_size +
+                     static_cast<float>(options.smoothness_tolerance) * graph.voxel_size);
   return edge;
 }
 

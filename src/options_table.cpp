@@ -35,6 +35,10 @@ constexpr OptionEntry kTable[] = {
     {"patches.patch_size", "m", 2e-4, 100,
      "R_seed, the distance of the seeds, more than voxel_size: smaller patches follow borders",
      member<kPatches, &PatchOptions::patch_size>},
+    {"patches.range_exponent", "1", 0, 0.9,
+     "voxels grow with distance from the sensor to this power: 0 in maps, up to 0.7 in single "
+     "scans",
+     member<kPatches, &PatchOptions::range_exponent>},
     {"patches.weight_color", "1", 0, 1000,
      "weight of colour in growing patches: larger keeps them within one colour",
      member<kPatches, &PatchOptions::weight_color>},

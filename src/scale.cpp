@@ -10,10 +10,12 @@
 #include <tbb/parallel_for.h>
 
 #include "patches/moments.hpp"
+#include "patches/range_warp.hpp"
 #include "patches/voxel_blocks.hpp"
 #include "patches/voxel_grid.hpp"
 #include "planescope/error.hpp"
 #include "planescope/options.hpp"
+#include "single_scan.hpp"
 
 namespace planescope {
 namespace {
@@ -177,14 +179,38 @@ double depth_noise(const PointCloud& cloud, const std::vector<std::uint32_t>& pl
   return 0.0014 * z * z;
 }
 
-double find_connected_voxel(const PointCloud& cloud, double smallest) {
+// Where the cloud was seen from, if from one place: the middle and the far end of what was seen.
+void find_ranges(const PointCloud& cloud, const std::vector<std::uint32_t>& finite,
+                 const std::vector<std::uint32_t>& places, const std::vector<Moments>& seen,
+                 CloudScale& scale) {
+  const Eigen::Vector3f sensor = cloud.sensor.value_or(-cloud.origin.cast<float>());
+  std::vector<Sighting> sightings(places.size());
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    sightings[k] = {(cloud.positions[places[k]] - sensor).norm(), seen[k].count};
+  }
+  const bool view = cloud.organised() && cloud.sensor;
+  if (!view && !is_single_scan(cloud, finite, sightings, sensor)) return;
+  std::sort(sightings.begin(), sightings.end(),
+            [](const auto& a, const auto& b) { return a.range < b.range; });
+  scale.median_range = double(sightings[sightings.size() / 2].range);
+  scale.far_range = double(sightings[sightings.size() * 9 / 10].range);
+}
+
+double find_connected_voxel(const PointCloud& cloud, double smallest, const CloudScale& scale) {
   constexpr double kWantedDegree = 5, kStep = 1.25;
   constexpr int kSteps = 6;
   double size = smallest;
   if (cloud.organised()) return size;  // a picture's pixels are as dense along as across
+  PointCloud warped;  // of a single scan: as voxels that grow with the range see it
+  if (scale.median_range > 0) {
+    const RangeWarp warp(cloud, kScanRangeExponent,
+                         cloud.sensor.value_or(-cloud.origin.cast<float>()));
+    for (const Eigen::Vector3f& p : cloud.positions) warped.positions.push_back(warp.apply(p));
+  }
+  const PointCloud& seen = scale.median_range > 0 ? warped : cloud;
   try {
     for (int step = 0; step < kSteps; ++step, size *= kStep) {
-      const VoxelGrid grid = make_voxel_grid(cloud, size, false);
+      const VoxelGrid grid = make_voxel_grid(seen, size, false);
       const auto degree = double(grid.neighbours.size()) / double(grid.voxel_count());
       if (degree >= kWantedDegree) break;
     }
@@ -226,7 +252,8 @@ CloudScale measure_scale(const PointCloud& cloud) {
   }
   scale.spacing = double(spacing);
   scale.noise = std::max(double(noise), depth_noise(cloud, queries));
-  scale.connected_voxel = find_connected_voxel(cloud, 1.5 * scale.spacing);
+  find_ranges(cloud, finite, queries, seen, scale);
+  scale.connected_voxel = find_connected_voxel(cloud, 1.5 * scale.spacing, scale);
   return scale;
 }
 

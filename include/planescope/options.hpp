@@ -23,6 +23,11 @@ using Progress = std::function<void(std::string_view stage, double fraction)>;
 struct PatchOptions {
   double voxel_size = 0.02;  ///< R_voxel [m]: edge of a voxel; not below the cloud's median spacing
   double patch_size = 0.10;  ///< R_seed [m]: distance of the seeds; more than voxel_size
+  /// [1] voxels and patches grow with the distance from the sensor to this power, and are
+  /// voxel_size and patch_size at the median distance; 0: the same everywhere. For single scans,
+  /// whose samples lie the further apart the further away they are. The sensor is where the cloud
+  /// says, else at (0, 0, 0) of its own coordinates.
+  double range_exponent = 0.0;
   double weight_color = 0.0;    ///< [1] growth: weight of the colour distance
   double weight_spatial = 1.0;  ///< [1] growth: weight of the distance in units of patch_size
   double weight_normal = 4.0;   ///< [1] growth: weight of 1 - |n . n'|
@@ -125,6 +130,11 @@ struct CloudScale {
   /// on average (8 are a filled plane): scan lines far apart along and across need more than their
   /// density says.
   double connected_voxel = 0;
+  /// [m] median distance from the sensor, where the cloud was seen from one place: an organised
+  /// view, or a list of points whose density falls with the distance from the sensor (else the
+  /// origin of the coordinates) and which show no surface behind another. 0: a map of many places.
+  double median_range = 0;
+  double far_range = 0;                              ///< [m] 90th percentile of that distance
   Eigen::Vector3f extent = Eigen::Vector3f::Zero();  ///< [m] between the 1st and 99th percentile
 };
 

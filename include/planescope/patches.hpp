@@ -21,6 +21,8 @@ struct Patch {
       Eigen::Vector3f::UnitZ();  ///< n_i, unit; towards the side from which it was seen
   float curvature = 0;  ///< u_i = l0 / (l0 + l1 + l2) of the PCA over its voxels, in [0, 1/3]
   float area = 0;       ///< [m^2] about (number of voxels) * voxel_size^2, slant corrected
+  float scale = 1;      ///< [1] size of its voxels in units of voxel_size (see range_exponent);
+                        ///< lengths such as sigma are multiplied with it
   std::uint32_t point_count = 0;  ///< points of the cloud in it
   std::uint32_t voxel_count = 0;  ///< voxels in it
   Eigen::Vector3f color =

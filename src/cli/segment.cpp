@@ -54,7 +54,8 @@ std::string describe_choice(const PointCloud& cloud, const Options& options) {
          ", extent " + length(scale.extent.x()) + " x " + length(scale.extent.y()) + " x " +
          length(scale.extent.z()) + "; using --voxel-size " +
          get_option(options, "patches.voxel_size") + " --patch-size " +
-         get_option(options, "patches.patch_size") + " --planes.sigma " +
+         get_option(options, "patches.patch_size") + " --patches.range_exponent " +
+         get_option(options, "patches.range_exponent") + " --planes.sigma " +
          get_option(options, "planes.sigma") + " --planes.min_area " +
          get_option(options, "planes.min_area");
 }

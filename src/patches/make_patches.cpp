@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include <tbb/blocked_range.h>
@@ -11,6 +12,7 @@
 #include "patches/growth.hpp"
 #include "patches/moments.hpp"
 #include "patches/orientation.hpp"
+#include "patches/range_warp.hpp"
 #include "patches/voxel_grid.hpp"
 #include "patches/voxel_normals.hpp"
 #include "planescope/patches.hpp"
@@ -49,14 +51,23 @@ Members renumber(std::vector<std::int32_t>& label, std::size_t seed_count) {
   return members;
 }
 
-Patch describe_patch(const VoxelGrid& grid, const std::vector<Eigen::Vector3f>& normals,
-                     const std::uint32_t* begin, const std::uint32_t* end) {
-  const Eigen::Vector3f reference = grid.mean[*begin];
+// The voxels where they lie in the world, and how the grid was warped to find them.
+struct Surface {
+  const VoxelGrid& grid;
+  const RangeWarp& warp;
+  const std::vector<Eigen::Vector3f>& mean;
+  const std::vector<Eigen::Vector3f>& normals;
+};
+
+Patch describe_patch(const Surface& surface, const std::uint32_t* begin, const std::uint32_t* end) {
+  const VoxelGrid& grid = surface.grid;
+  const std::vector<Eigen::Vector3f>& normals = surface.normals;
+  const Eigen::Vector3f reference = surface.mean[*begin];
   Moments moments;
   Patch patch;
   Eigen::Vector3f normal_sum = Eigen::Vector3f::Zero();
   for (const std::uint32_t* v = begin; v != end; ++v) {
-    moments.add(grid.mean[*v] - reference);
+    moments.add(surface.mean[*v] - reference);
     patch.point_count += grid.point_count[*v];
     normal_sum +=
         normals[*v].dot(normals[*begin]) < 0 ? Eigen::Vector3f(-normals[*v]) : normals[*v];
@@ -70,18 +81,16 @@ Patch describe_patch(const VoxelGrid& grid, const std::vector<Eigen::Vector3f>& 
   const bool enough = patch.voxel_count >= kEnoughVoxels;
   patch.normal = enough || normal_sum.squaredNorm() == 0 ? plane.normal : normal_sum.normalized();
   patch.curvature = plane.curvature;
-  // A plane of area A meets A (|nx| + |ny| + |nz|) / size^2 voxels.
-  patch.area = float(patch.voxel_count) * grid.size * grid.size / patch.normal.lpNorm<1>();
+  patch.area = surface.warp.area(patch.centroid, patch.normal, float(patch.voxel_count), grid.size);
+  patch.scale = surface.warp.scale(patch.centroid);
   return patch;
 }
 
-std::vector<Patch> describe_patches(const VoxelGrid& grid,
-                                    const std::vector<Eigen::Vector3f>& normals,
-                                    const Members& members) {
+std::vector<Patch> describe_patches(const Surface& surface, const Members& members) {
   std::vector<Patch> patches(members.patch_count());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, patches.size(), 64), [&](const auto& range) {
     for (std::size_t p = range.begin(); p != range.end(); ++p) {
-      patches[p] = describe_patch(grid, normals, &members.voxels[members.offsets[p]],
+      patches[p] = describe_patch(surface, &members.voxels[members.offsets[p]],
                                   members.voxels.data() + members.offsets[p + 1]);
     }
   });
@@ -128,7 +137,7 @@ std::vector<Adjacency> find_adjacency(const VoxelGrid& grid, const std::vector<s
   return adjacency;
 }
 
-// From voxels to points, in place.
+// From voxels to points.
 std::vector<std::int32_t> label_points(const std::vector<std::uint32_t>& point_voxel,
                                        const std::vector<std::int32_t>& label) {
   std::vector<std::int32_t> point_patch(point_voxel.size());
@@ -160,6 +169,25 @@ std::vector<Eigen::Vector3f> gather_point_votes(const PointCloud& cloud, PatchGr
   return votes;
 }
 
+// Where a single scan was taken from; nothing where the cloud is a map.
+std::optional<Eigen::Vector3f> find_sensor(const PointCloud& cloud, const PatchOptions& options) {
+  if (cloud.sensor || options.range_exponent == 0) return cloud.sensor;
+  return Eigen::Vector3f((-cloud.origin).cast<float>());
+}
+
+PointCloud warp_points(const PointCloud& cloud, const RangeWarp& warp, bool with_color) {
+  PointCloud warped;
+  if (with_color) warped.colors = cloud.colors;
+  warped.positions.resize(cloud.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, cloud.size(), 16384),
+                    [&](const auto& range) {
+                      for (std::size_t i = range.begin(); i != range.end(); ++i) {
+                        warped.positions[i] = warp.apply(cloud.positions[i]);
+                      }
+                    });
+  return warped;
+}
+
 }  // namespace
 
 PatchGraph make_patches(const PointCloud& cloud, const PatchOptions& options,
@@ -168,9 +196,21 @@ PatchGraph make_patches(const PointCloud& cloud, const PatchOptions& options,
     if (progress) progress("patches", fraction);
   };
   report(0);
-  const VoxelGrid grid = make_voxel_grid(cloud, options.voxel_size, options.weight_color > 0);
+  const std::optional<Eigen::Vector3f> sensor = find_sensor(cloud, options);
+  const bool with_color = options.weight_color > 0;
+  const bool warped = options.range_exponent > 0;
+  const RangeWarp warp = warped ? RangeWarp(cloud, options.range_exponent, *sensor) : RangeWarp();
+  const VoxelGrid grid =
+      warped ? make_voxel_grid(warp_points(cloud, warp, with_color), options.voxel_size, with_color)
+             : make_voxel_grid(cloud, options.voxel_size, with_color);
+  std::vector<Eigen::Vector3f> unwarped;  // where the voxels lie in the world
+  if (warped) {
+    unwarped = grid.mean;
+    for (Eigen::Vector3f& mean : unwarped) mean = warp.invert(mean);
+  }
+  const std::vector<Eigen::Vector3f>& mean = warped ? unwarped : grid.mean;
   report(0.3);
-  const std::vector<Eigen::Vector3f> normals = estimate_voxel_normals(grid);
+  const std::vector<Eigen::Vector3f> normals = estimate_voxel_normals(grid, mean);
   report(0.5);
   const std::vector<std::uint32_t> seeds = choose_seeds(grid, options.patch_size);
   std::vector<std::int32_t> label = grow_patches(grid, normals, seeds, options);
@@ -179,12 +219,12 @@ PatchGraph make_patches(const PointCloud& cloud, const PatchOptions& options,
   PatchGraph graph;
   graph.voxel_size = static_cast<float>(options.voxel_size);
   graph.patch_size = static_cast<float>(options.patch_size);
-  graph.patches = describe_patches(grid, normals, members);
+  graph.patches = describe_patches({grid, warp, mean, normals}, members);
   graph.adjacency = find_adjacency(grid, label, members);
   graph.point_patch = label_points(grid.point_voxel, label);
   const std::vector<Eigen::Vector3f> votes = gather_point_votes(cloud, graph);
-  if (cloud.sensor) {
-    orient_towards(graph.patches, *cloud.sensor);
+  if (sensor) {
+    orient_towards(graph.patches, *sensor);
   } else if (cloud.has_normals()) {
     orient_by_votes(graph.patches, votes);
   } else {

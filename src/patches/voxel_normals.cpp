@@ -20,13 +20,14 @@ void for_each_voxel(const VoxelGrid& grid, const Body& body) {
 
 }  // namespace
 
-std::vector<Eigen::Vector3f> estimate_voxel_normals(const VoxelGrid& grid) {
+std::vector<Eigen::Vector3f> estimate_voxel_normals(const VoxelGrid& grid,
+                                                    const std::vector<Eigen::Vector3f>& mean) {
   std::vector<Moments> ring(grid.voxel_count());  // S(m), each about its voxel's own mean
   for_each_voxel(grid, [&](std::size_t v) {
     Moments sum;
     sum.count = 1;  // the voxel itself, at its own reference
     for (std::size_t k = grid.neighbour_offsets[v]; k < grid.neighbour_offsets[v + 1]; ++k) {
-      sum.add(grid.mean[grid.neighbours[k]] - grid.mean[v]);
+      sum.add(mean[grid.neighbours[k]] - mean[v]);
     }
     ring[v] = sum;
   });
@@ -37,7 +38,7 @@ std::vector<Eigen::Vector3f> estimate_voxel_normals(const VoxelGrid& grid) {
     sum.count += 1;  // m
     for (std::size_t k = grid.neighbour_offsets[v]; k < grid.neighbour_offsets[v + 1]; ++k) {
       const std::uint32_t n = grid.neighbours[k];
-      sum.add_shifted(ring[n], grid.mean[n] - grid.mean[v]);
+      sum.add_shifted(ring[n], mean[n] - mean[v]);
     }
     normals[v] = principal_plane(sum).normal;
   });

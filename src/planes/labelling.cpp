@@ -17,7 +17,7 @@ constexpr std::size_t kChunk = 2048;  // patches a task
 template <typename Visit>
 void for_each_choice(const Patch& patch, const std::vector<Plane>& planes,
                      const PlaneOptions& options, Visit visit) {
-  const auto sigma = static_cast<float>(options.sigma);
+  const float sigma = static_cast<float>(options.sigma) * patch.scale;
   const auto gate = static_cast<float>(options.normal_gate);
   for (std::uint32_t p = 0; p < planes.size(); ++p) {
     const float cost = std::abs(planes[p].signed_distance(patch.centroid)) / sigma;

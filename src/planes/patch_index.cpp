@@ -81,7 +81,8 @@ PatchIndex PatchIndex::sample(std::size_t count, std::uint64_t seed) const {
     part.add(patch_[i], {.centroid = centroid(i),
                          .normal = normal(i),
                          .curvature = curvature_[i],
-                         .area = area_[i]});
+                         .area = area_[i],
+                         .scale = scale_[i]});
   }
   part.finish();
   return part;
@@ -96,30 +97,33 @@ void PatchIndex::add(std::uint32_t id, const Patch& patch) {
   nz_.push_back(patch.normal.z());
   area_.push_back(patch.area);
   curvature_.push_back(patch.curvature);
+  scale_.push_back(patch.scale);
   patch_.push_back(id);
 }
 
 void PatchIndex::finish() {
   for (std::size_t begin = 0; begin < size(); begin += kBlock) {
     Eigen::AlignedBox3f box;
+    float scale = 0;
     for (std::size_t i = begin; i < std::min(begin + kBlock, size()); ++i) {
+      scale = std::max(scale, scale_[i]);
       if (is_finite(centroid(i))) box.extend(centroid(i));
     }
     if (box.isEmpty()) box.extend(Eigen::Vector3f::Zero());
     // A little more than the box: rounding must not turn an inlier away.
     const float slack = 1e-5f * (1.0f + box.max().cwiseAbs().cwiseMax(box.min().cwiseAbs()).sum());
     const Eigen::Vector3f half = 0.5f * box.sizes() + Eigen::Vector3f::Constant(slack);
-    blocks_.push_back({box.center(), half});
+    blocks_.push_back({box.center(), half, scale});
   }
   const std::size_t padded = blocks_.size() * kBlock;
-  for (auto* column : {&x_, &y_, &z_}) column->resize(padded, 0.0f);
+  for (auto* column : {&x_, &y_, &z_, &scale_}) column->resize(padded, 0.0f);
   // A normal that is no number passes no gate.
   const float never = std::numeric_limits<float>::quiet_NaN();
   for (auto* column : {&nx_, &ny_, &nz_}) column->resize(padded, never);
 }
 
 bool PatchIndex::may_hold(const Block& block, const InlierTest& test) const {
-  const float reach = test.plane.normal.cwiseAbs().dot(block.half) + test.half_width;
+  const float reach = test.plane.normal.cwiseAbs().dot(block.half) + test.half_width * block.scale;
   if (std::abs(test.plane.signed_distance(block.center)) > reach) return false;
   const Eigen::Vector3f gap = (block.center - test.center).cwiseAbs() - block.half;
   return gap.maxCoeff() <= test.radius;
@@ -129,6 +133,7 @@ template <bool kLocal>
 std::uint64_t PatchIndex::test_block(std::size_t begin, const InlierTest& test) const {
   const float *x = &x_[begin], *y = &y_[begin], *z = &z_[begin];
   const float *nx = &nx_[begin], *ny = &ny_[begin], *nz = &nz_[begin];
+  const float* scale = &scale_[begin];
   const float a = test.plane.normal.x(), b = test.plane.normal.y(), c = test.plane.normal.z();
   const float d = test.plane.distance, width = test.half_width, gate = test.gate;
   const float cx = test.center.x(), cy = test.center.y(), cz = test.center.z();
@@ -137,7 +142,7 @@ std::uint64_t PatchIndex::test_block(std::size_t begin, const InlierTest& test) 
   for (std::size_t j = 0; j < kBlock; ++j) {
     const float r = std::abs(a * x[j] + b * y[j] + c * z[j] - d);
     const float cosine = std::abs(a * nx[j] + b * ny[j] + c * nz[j]);
-    bool in = (r < width) & (cosine >= gate);
+    bool in = (r < width * scale[j]) & (cosine >= gate);
     if constexpr (kLocal) {
       const float u = x[j] - cx, v = y[j] - cy, w = z[j] - cz;
       in = in & (u * u + v * v + w * w <= radius2);

@@ -16,8 +16,8 @@
 /// patches are inliers of this plane?
 namespace planescope {
 
-/// What makes a patch an inlier: r(c, p) < half_width, |n . n_p| >= gate, and, for a local fit, a
-/// centroid within `radius` of `center`.
+/// What makes a patch an inlier: r(c, p) < half_width * scale of the patch, |n . n_p| >= gate, and,
+/// for a local fit, a centroid within `radius` of `center`.
 struct InlierTest {
   Plane plane;
   float half_width = 0;  ///< [m]
@@ -45,6 +45,7 @@ class PatchIndex {
   Eigen::Vector3f centroid(std::size_t i) const { return {x_[i], y_[i], z_[i]}; }
   Eigen::Vector3f normal(std::size_t i) const { return {nx_[i], ny_[i], nz_[i]}; }
   float area(std::size_t i) const { return area_[i]; }
+  float scale(std::size_t i) const { return scale_[i]; }
   float curvature(std::size_t i) const { return curvature_[i]; }
 
   /// Positions of the inliers. A patch with a non-finite centroid or normal is never one.
@@ -53,6 +54,7 @@ class PatchIndex {
  private:
   struct Block {
     Eigen::Vector3f center, half;  ///< [m] box of its centroids
+    float scale;                   ///< largest of its patches' scales
   };
 
   PatchIndex() = default;
@@ -63,7 +65,7 @@ class PatchIndex {
   std::uint64_t test_block(std::size_t begin, const InlierTest& test) const;
 
   std::vector<float> x_, y_, z_, nx_, ny_, nz_;
-  std::vector<float> area_, curvature_;
+  std::vector<float> area_, curvature_, scale_;
   std::vector<std::uint32_t> patch_;
   std::vector<Block> blocks_;
 };

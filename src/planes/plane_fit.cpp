@@ -31,7 +31,8 @@ Moments moments_of(const PatchIndex& index, const Bits& members, const Eigen::Ve
   Moments m;
   double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
   for_each(members, [&](std::size_t i) {
-    const double r = static_cast<double>(previous.signed_distance(index.centroid(i))) / sigma;
+    const double r = static_cast<double>(previous.signed_distance(index.centroid(i))) /
+                     (sigma * static_cast<double>(index.scale(i)));
     const double w = std::max(static_cast<double>(index.area(i)), kLeast) * biweight(r);
     const Eigen::Vector3d p = index.centroid(i).cast<double>() - shift;
     const Eigen::Vector3d n = index.normal(i).cast<double>();

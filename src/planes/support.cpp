@@ -46,7 +46,8 @@ Plane fit(const Members& members, const Plane& old) {
 float margin(const Patch& patch, std::int32_t plane, const std::vector<SupportingPlane>& planes,
              const PlaneOptions& options) {
   const auto cost = [&](const Plane& p) {
-    return std::abs(p.signed_distance(patch.centroid)) / static_cast<float>(options.sigma);
+    return std::abs(p.signed_distance(patch.centroid)) /
+           (static_cast<float>(options.sigma) * patch.scale);
   };
   if (plane != kNone) {
     return std::clamp((2 - cost(planes[static_cast<std::size_t>(plane)].plane)) / 2, 0.0f, 1.0f);
