@@ -117,9 +117,9 @@ Drawing::Drawing(const SceneData& scene, const RenderOptions& options)
     points_renderer_->SetPass(shading_);
   }
   shapes_renderer_->PreserveDepthBufferOn();
-  shapes_renderer_->UseDepthPeelingOn();
-  shapes_renderer_->SetMaximumNumberOfPeels(12);
-  shapes_renderer_->SetOcclusionRatio(0.0);
+  // These steps blend translucent cells in the order in which they come: plane_layer() sorts them.
+  vtkNew<vtkRenderStepsPass> blended;
+  shapes_renderer_->SetPass(blended);
   points_ = std::make_unique<PointLayer>(scene, colors_, frame_.up, light, cut_);
   points_renderer_->AddActor(points_->actor());
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -16,6 +17,7 @@
 #include <vtkProperty.h>
 #include <vtkUnsignedCharArray.h>
 
+#include "depth_order.hpp"
 #include "palette.hpp"
 #include "vtk_arrays.hpp"
 
@@ -104,6 +106,26 @@ vtkSmartPointer<vtkActor> dot_actor(const std::vector<Eigen::Vector3d>& dots, do
   return actor;
 }
 
+std::vector<Eigen::Vector3d> lifted(const std::vector<Eigen::Vector3d>& corners,
+                                    const Eigen::Vector3d& camera, double distance) {
+  std::vector<Eigen::Vector3d> moved;
+  for (const Eigen::Vector3d& corner : corners)
+    moved.push_back(draw::lifted(corner, camera, distance));
+  return moved;
+}
+
+/// Hull `i` of the scene's planes, as a polygon.
+FlatPolygon hull(const SceneData& scene, vtkIdType i) {
+  FlatPolygon polygon;
+  polygon.source = static_cast<std::size_t>(i);
+  for (const vtkIdType id : corners(*scene.planes->GetPolys(), i))
+    polygon.corners.push_back(point(*scene.planes, id).cast<double>());
+  vtkCellData& columns = *scene.planes->GetCellData();
+  columns.GetArray("normal")->GetTuple(i, polygon.normal.data());
+  polygon.distance = columns.GetArray("distance")->GetTuple1(i);
+  return polygon;
+}
+
 }  // namespace
 
 Eigen::Vector3d lifted(const Eigen::Vector3d& p, const Eigen::Vector3d& camera, double distance) {
@@ -117,23 +139,26 @@ Actors plane_layer(const SceneData& scene, const SceneColors& colors, const Cuta
   vtkCellData& columns = *scene.planes->GetCellData();
   vtkDataArray& plane = *columns.GetArray("plane");
   vtkDataArray& rms = *columns.GetArray("rms");
+  std::vector<FlatPolygon> hulls;
+  std::vector<double> lifts(static_cast<std::size_t>(scene.planes->GetNumberOfCells()));
   Shapes fills, outlines;
   for (vtkIdType i = 0; i < scene.planes->GetNumberOfCells(); ++i) {
     const auto index = static_cast<std::int32_t>(plane.GetTuple1(i));
-    const auto ids = corners(*scene.planes->GetPolys(), i);
-    if (cut.hides(point(*scene.planes, ids[0]), index)) continue;
+    if (cut.hides(point(*scene.planes, corners(*scene.planes->GetPolys(), i)[0]), index)) continue;
     // Above the noise of the points on it, and their splats; the outline above the fill.
     const double lift = 2.5 * rms.GetTuple1(i) + 2 * scene.result.voxel_size;
-    std::vector<Eigen::Vector3d> fill, outline;
-    for (const vtkIdType id : ids) {
-      const Eigen::Vector3d p = point(*scene.planes, id).cast<double>();
-      fill.push_back(lifted(p, camera.position, lift));
-      outline.push_back(lifted(p, camera.position, 1.25 * lift));
-    }
+    lifts[static_cast<std::size_t>(i)] = lift;
+    hulls.push_back(hull(scene, i));
+    std::vector<Eigen::Vector3d> outline =
+        lifted(hulls.back().corners, camera.position, 1.25 * lift);
     outline.push_back(outline.front());
-    const Pixel& color = colors.planes[static_cast<std::size_t>(index)];
-    fills.add(fill, color);
-    outlines.add(outline, darken(color, 0.45));
+    outlines.add(outline, darken(colors.planes[static_cast<std::size_t>(index)], 0.45));
+  }
+  // Ordered where they are, and then lifted along the lines of sight, which changes no order.
+  for (const FlatPolygon& piece : painters_order(std::move(hulls), camera.position)) {
+    const auto index =
+        static_cast<std::size_t>(plane.GetTuple1(static_cast<vtkIdType>(piece.source)));
+    fills.add(lifted(piece.corners, camera.position, lifts[piece.source]), colors.planes[index]);
   }
   vtkNew<vtkPolyData> polygons;
   polygons->SetPoints(fills.points);
