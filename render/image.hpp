@@ -28,6 +28,10 @@ Image filled(int width, int height, const Pixel& color);
 /// `factor`. In sRGB, not in light: thin dark lines on white keep their weight.
 Image downsample(const Image& image, int factor);
 
+/// The picture at another, smaller size: each pixel is the mean of the area that it covers, in sRGB
+/// as above. `width` and `height` must not exceed the picture's.
+Image shrunk(const Image& image, int width, int height);
+
 /// True if all pixels of the rows [first, last) are alike: nothing was drawn there.
 bool is_uniform(const Image& image, int first, int last);
 

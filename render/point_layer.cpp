@@ -135,9 +135,13 @@ void PointLayer::add_points(const Cutaway& cut) {
   data_->SetVerts(vertices);
   if (heights.empty()) return;
   // The map of heights is not stretched by a few strays.
-  std::sort(heights.begin(), heights.end());
-  lowest_ = heights[heights.size() / 100];
-  highest_ = std::max(heights[heights.size() - 1 - heights.size() / 100], lowest_ + 1e-3F);
+  const auto ranked = [&](std::size_t index) {
+    const auto at = heights.begin() + static_cast<std::ptrdiff_t>(index);
+    std::nth_element(heights.begin(), at, heights.end());
+    return *at;
+  };
+  lowest_ = ranked(heights.size() / 100);
+  highest_ = std::max(ranked(heights.size() - 1 - heights.size() / 100), lowest_ + 1e-3F);
 }
 
 vtkSmartPointer<vtkFloatArray> PointLayer::splats() const {

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
+#include <utility>
+#include <vector>
 
 #include <vtkVersion.h>
 
@@ -54,13 +57,24 @@ void render_pictures(const Segmentation& scene, const PointCloud& cloud,
   const draw::SceneData data = draw::scene_data(scene, cloud, input);
   draw::Drawing drawing(data, options);
   const std::vector<draw::Panel> panels = draw::overview_panels(data);
-  draw::write_png(draw::draw_panels(drawing, panels, 2, options.size, to_pixel(options.background)),
-                  folder / "overview.png");
   const char* const names[] = {nullptr, "segments.png", "planes.png", "graph.png"};
-  for (std::size_t i = 1; i < panels.size(); ++i) {
-    draw::write_png(drawing.draw(panels[i].layers, options.size, panels[i].annotation),
-                    folder / names[i]);
+  const bool shared = draw::shrinks_well(options.size);
+  std::vector<draw::Image> pictures;
+  std::vector<std::future<void>> writes;  // compressed while the next one is drawn
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    if (i == 0 && !shared) continue;  // the scene is a panel only
+    pictures.push_back(drawing.draw(panels[i].layers, options.size, panels[i].annotation));
+    if (i == 0) continue;
+    writes.push_back(
+        std::async(std::launch::async, [picture = pictures.back(), &folder, name = names[i]] {
+          draw::write_png(picture, folder / name);
+        }));
   }
+  const draw::Pixel ground = to_pixel(options.background);
+  draw::write_png(shared ? draw::arrange(pictures, 2, options.size, ground)
+                         : draw::draw_panels(drawing, panels, 2, options.size, ground),
+                  folder / "overview.png");
+  for (std::future<void>& write : writes) write.get();
 }
 
 void save_geometry(const Segmentation& scene, const PointCloud& cloud,
