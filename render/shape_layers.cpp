@@ -76,8 +76,8 @@ void add_dashes(Shapes& lines, const Eigen::Vector3d& a, const Eigen::Vector3d& 
 /// Dashes in an edge: as long as they are seen alike, and two at least.
 int dash_count(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Camera& camera,
                const Pen& pen) {
-  const double depth = (a - camera.position).dot(camera.forward());
-  const double length = (b - a).norm() * pen.pixels_per_metre_at_1m / std::max(depth, 1e-3);
+  const double depth = std::max((a - camera.position).dot(camera.forward()), 1e-3);
+  const double length = (b - a).norm() * pixels_per_metre(camera, pen.picture_height, depth);
   return std::clamp(static_cast<int>(std::lround(length / (3.6 * kOffWidth * pen.width))), 2, 12);
 }
 
@@ -85,8 +85,9 @@ int dash_count(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Camera&
 /// one blue surface: a line is a twelfth of a patch's size, as seen at the scene's middle.
 Pen for_patches(const Pen& pen, const SceneData& scene, const Camera& camera) {
   const double depth = (camera.focal - camera.position).norm();
-  const double patch = scene.result.patch_size * pen.pixels_per_metre_at_1m / depth;
-  return {pen.width * std::clamp(patch / 12 / pen.width, 0.5, 1.0), pen.pixels_per_metre_at_1m};
+  const double patch =
+      scene.result.patch_size * pixels_per_metre(camera, pen.picture_height, depth);
+  return {pen.width * std::clamp(patch / 12 / pen.width, 0.5, 1.0), pen.picture_height};
 }
 
 vtkSmartPointer<vtkActor> dot_actor(const std::vector<Eigen::Vector3d>& dots, double size) {
@@ -149,16 +150,15 @@ Actors plane_layer(const SceneData& scene, const SceneColors& colors, const Cuta
     const double lift = 2.5 * rms.GetTuple1(i) + 2 * scene.result.voxel_size;
     lifts[static_cast<std::size_t>(i)] = lift;
     hulls.push_back(hull(scene, i));
-    std::vector<Eigen::Vector3d> outline =
-        lifted(hulls.back().corners, camera.position, 1.25 * lift);
+    std::vector<Eigen::Vector3d> outline = lifted(hulls.back().corners, camera.eye(), 1.25 * lift);
     outline.push_back(outline.front());
     outlines.add(outline, darken(colors.planes[static_cast<std::size_t>(index)], 0.45));
   }
   // Ordered where they are, and then lifted along the lines of sight, which changes no order.
-  for (const FlatPolygon& piece : painters_order(std::move(hulls), camera.position)) {
+  for (const FlatPolygon& piece : painters_order(std::move(hulls), camera.eye())) {
     const auto index =
         static_cast<std::size_t>(plane.GetTuple1(static_cast<vtkIdType>(piece.source)));
-    fills.add(lifted(piece.corners, camera.position, lifts[piece.source]), colors.planes[index]);
+    fills.add(lifted(piece.corners, camera.eye(), lifts[piece.source]), colors.planes[index]);
   }
   vtkNew<vtkPolyData> polygons;
   polygons->SetPoints(fills.points);
@@ -182,7 +182,7 @@ Actors graph_layer(const SceneData& scene, const Cutaway& cut, const Camera& cam
     const auto id = static_cast<vtkIdType>(i);
     const Eigen::Vector3f centroid = point(*scene.graph, id);
     hidden[i] = cut.hides(centroid, static_cast<std::int32_t>(plane.GetTuple1(id)));
-    places[i] = lifted(centroid.cast<double>(), camera.position, lift);
+    places[i] = lifted(centroid.cast<double>(), camera.eye(), lift);
     if (!hidden[i]) dots.push_back(places[i]);
   }
   vtkDataArray& on = *scene.graph->GetCellData()->GetArray("on");
@@ -195,8 +195,8 @@ Actors graph_layer(const SceneData& scene, const Cutaway& cut, const Camera& cam
       on_lines.add(std::array{places[a], places[b]}, kEdgeOn);
       continue;
     }
-    const Eigen::Vector3d from = lifted(places[a], camera.position, lift / 4);  // above ON edges
-    const Eigen::Vector3d to = lifted(places[b], camera.position, lift / 4);
+    const Eigen::Vector3d from = lifted(places[a], camera.eye(), lift / 4);  // above ON edges
+    const Eigen::Vector3d to = lifted(places[b], camera.eye(), lift / 4);
     add_dashes(off_lines, from, to, dash_count(from, to, camera, pen));
   }
   return {line_actor(on_lines, pen.width), dot_actor(dots, 2.6 * pen.width),
