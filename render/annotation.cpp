@@ -5,28 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include <vtkActor2D.h>
-#include <vtkCellArray.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkPolyDataMapper2D.h>
-#include <vtkProperty2D.h>
-#include <vtkTextActor.h>
-#include <vtkTextProperty.h>
-
+#include "overlay.hpp"
 #include "palette.hpp"
 
 namespace planescope::draw {
 namespace {
 
-constexpr double kLetter = 0.56;  // a letter's width over the font's size, generously
-constexpr double kSwatch = 2.2;   // a swatch's width over the font's size
-constexpr double kGap = 0.5;      // between swatch and text, over the font's size
-
-double text_width(const std::string& text, int font) {
-  return kLetter * font * static_cast<double>(text.size());
-}
+constexpr double kSwatch = 2.2;  // a swatch's width over the font's size
+constexpr double kGap = 0.5;     // between swatch and text, over the font's size
+constexpr double kSmall = 0.72;  // of the font: note, bar, marks
 
 double legend_width(const std::vector<LegendEntry>& legend, int font) {
   double width = 0;
@@ -35,52 +22,80 @@ double legend_width(const std::vector<LegendEntry>& legend, int font) {
   return width;
 }
 
-void add_text(vtkRenderer& renderer, const std::string& text, double x, double y, double size,
-              const Pixel& color) {
-  vtkNew<vtkTextActor> actor;
-  actor->SetInput(text.c_str());
-  vtkTextProperty& style = *actor->GetTextProperty();
-  style.SetFontFamilyToArial();
-  style.SetFontSize(static_cast<int>(size));
-  style.SetColor(color[0] / 255.0, color[1] / 255.0, color[2] / 255.0);
-  style.SetVerticalJustificationToCentered();
-  actor->SetPosition(x, y);
-  renderer.AddActor2D(actor);
-}
+/// Colours of words on a background.
+struct Inks {
+  Inks(const std::array<double, 3>& background, const std::array<double, 3>& words_on) {
+    Pixel under{};
+    for (std::size_t c = 0; c < 3; ++c) {
+      ground[c] = static_cast<std::uint8_t>(std::lround(255 * background[c]));
+      under[c] = static_cast<std::uint8_t>(std::lround(255 * words_on[c]));
+    }
+    const bool dark = luma(under) < 110;
+    ink = dark ? Pixel{228, 230, 234} : kInk;
+    faint = dark ? Pixel{165, 168, 174} : Pixel{118, 121, 127};
+  }
+  Pixel ground{}, ink{}, faint{};
+};
 
-/// A filled rectangle, in the pixels of the picture that is drawn.
-void add_box(vtkRenderer& renderer, double x, double y, double width, double height,
-             const Pixel& color) {
-  vtkNew<vtkPoints> points;
-  for (const auto& [dx, dy] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}})
-    points->InsertNextPoint(std::round(x + dx * width), std::round(y + dy * height), 0);
-  vtkNew<vtkCellArray> cells;
-  cells->InsertNextCell({0, 1, 2, 3});
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(points);
-  data->SetPolys(cells);
-  vtkNew<vtkPolyDataMapper2D> mapper;
-  mapper->SetInputData(data);
-  vtkNew<vtkActor2D> actor;
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(color[0] / 255.0, color[1] / 255.0, color[2] / 255.0);
-  renderer.AddActor2D(actor);
-}
+/// Where things are put, in pixels of the picture that is drawn.
+struct Sheet {
+  vtkRenderer& renderer;
+  double width, height, font, band, footer;
+  Inks inks;
+};
 
-void add_swatch(vtkRenderer& renderer, const LegendEntry& entry, double x, double y, double font) {
-  const double width = kSwatch * font;
+void add_swatch(const Sheet& sheet, const LegendEntry& entry, double x, double y) {
+  const double font = sheet.font, width = kSwatch * font;
   switch (entry.swatch) {
     case LegendEntry::Swatch::Box:
-      add_box(renderer, x, y - 0.4 * font, width, 0.8 * font, entry.color);
+      add_box(sheet.renderer, x, y - 0.4 * font, width, 0.8 * font, entry.color);
       break;
     case LegendEntry::Swatch::ThinLine:
-      add_box(renderer, x, y - 0.05 * font, width, 0.1 * font, entry.color);
+      add_box(sheet.renderer, x, y - 0.05 * font, width, 0.1 * font, entry.color);
       break;
     case LegendEntry::Swatch::DashedLine:
       for (const double start : {0.0, 0.37, 0.74})
-        add_box(renderer, x + start * width, y - 0.13 * font, 0.26 * width, 0.26 * font,
+        add_box(sheet.renderer, x + start * width, y - 0.13 * font, 0.26 * width, 0.26 * font,
                 entry.color);
       break;
+  }
+}
+
+void add_band(const Sheet& sheet, const Annotation& annotation, bool legend_below_title) {
+  const double font = sheet.font;
+  double y = sheet.height - 1.05 * font;
+  if (!annotation.title.empty())
+    add_text(sheet.renderer, annotation.title, {0.6 * font, y}, font, sheet.inks.ink);
+  if (legend_below_title) y -= 1.4 * font;
+  const double all = legend_width(annotation.legend, 1000) * font / 1000;
+  double x = legend_below_title ? 0.6 * font : std::max(0.6 * font, sheet.width - all);
+  for (const LegendEntry& entry : annotation.legend) {
+    add_swatch(sheet, entry, x, y);
+    add_text(sheet.renderer, entry.text, {x + (kSwatch + kGap) * font, y}, font, sheet.inks.ink);
+    x += text_width(entry.text, font) + (kSwatch + 3 * kGap) * font;
+  }
+}
+
+void add_scale_bar(const Sheet& sheet, const ScaleBar& bar) {
+  const double font = sheet.font, right = sheet.width - 0.8 * font;
+  const double left = right - bar.share * sheet.width, y = 0.6 * font, thick = 0.14 * font;
+  add_box(sheet.renderer, left, y - thick / 2, right - left, thick, sheet.inks.ink);
+  for (const double x : {left, right - thick})
+    add_box(sheet.renderer, x, y - 0.32 * font, thick, 0.64 * font, sheet.inks.ink);
+  add_text(sheet.renderer, bar.text, {(left + right) / 2, 1.35 * font}, kSmall * font,
+           sheet.inks.ink, Anchor::Centre);
+}
+
+void add_axes(const Sheet& sheet, const std::vector<AxisMark>& axes) {
+  const double font = sheet.font, arm = 2.2 * font;
+  const double x = 3.4 * font, y = sheet.footer + 3.2 * font;
+  for (const AxisMark& axis : axes) {
+    const double dx = arm * axis.tip[0], dy = arm * axis.tip[1];
+    add_line(sheet.renderer, {x, y}, {x + dx, y + dy}, 0.16 * font, axis.color);
+    const double length = std::max(std::hypot(dx, dy), 0.3 * font);
+    const double reach = (length + 0.55 * font) / length;
+    add_text(sheet.renderer, axis.name, {x + dx * reach, y + dy * reach}, 0.85 * font, axis.color,
+             Anchor::Centre);
   }
 }
 
@@ -95,31 +110,66 @@ Layout::Layout(int width_, int height_, const Annotation& annotation)
   legend_below_title = !annotation.title.empty() && !annotation.legend.empty() && words > width;
   const double lines = !annotation.has_band() ? 0 : legend_below_title ? 3.3 : 1.9;
   band = std::min(static_cast<int>(std::lround(lines * font)), height / 2);
-  footer = annotation.note.empty() ? 0 : std::min(static_cast<int>(1.3 * font), height / 4);
+  const double below = annotation.scale_bar ? 2.0 : annotation.note.empty() ? 0 : 1.3;
+  footer = std::min(static_cast<int>(below * font), height / 4);
+}
+
+void shorten_legend(Annotation& annotation, int width, int height) {
+  const int font = Layout(width, height, {}).font;
+  std::size_t dropped = 0;
+  const auto too_wide = [&] {
+    const std::string rest = "and " + std::to_string(dropped) + " more";
+    const double more = dropped > 0 ? text_width(rest, font) : 0;
+    return legend_width(annotation.legend, font) + more > width - font;
+  };
+  while (annotation.legend.size() > 1 && too_wide()) {
+    annotation.legend.pop_back();
+    ++dropped;
+  }
+  if (dropped > 0) annotation.legend.back().text += ", and " + std::to_string(dropped) + " more";
+}
+
+std::size_t thin_out(std::vector<Mark>& marks, const Layout& layout) {
+  struct Box {
+    double left, right, bottom, top;
+  };
+  const double font = kSmall * layout.font;
+  std::vector<Box> taken;
+  return std::erase_if(marks, [&](const Mark& mark) {
+    const double x = (mark.place[0] + 1) / 2 * layout.width;
+    const double y = (mark.place[1] + 1) / 2 * layout.height;
+    const double half = text_width(mark.text, font) / 2;
+    const Box box{x - half, x + half, y - 0.6 * font, y + 0.6 * font};
+    const bool inside = box.left >= 0 && box.right <= layout.width && box.bottom >= layout.footer &&
+                        box.top <= layout.height - layout.band;
+    const bool free = std::ranges::none_of(taken, [&](const Box& other) {
+      return box.left < other.right && other.left < box.right && box.bottom < other.top &&
+             other.bottom < box.top;
+    });
+    if (!inside || !free) return true;
+    taken.push_back(box);
+    return false;
+  });
 }
 
 void annotate(vtkRenderer& renderer, const Annotation& annotation, const Layout& layout, int scale,
-              const std::array<double, 3>& background) {
-  const double font = static_cast<double>(layout.font) * scale;
-  const double width = static_cast<double>(layout.width) * scale;
-  Pixel ground{};
-  for (std::size_t c = 0; c < 3; ++c)
-    ground[c] = static_cast<std::uint8_t>(std::lround(255 * background[c]));
-  add_box(renderer, 0, static_cast<double>(layout.height - layout.band) * scale, width,
-          static_cast<double>(layout.band) * scale, ground);
-  add_box(renderer, 0, 0, width, static_cast<double>(layout.footer) * scale, ground);
-  double y = static_cast<double>(layout.height) * scale - 1.05 * font;
-  if (!annotation.title.empty()) add_text(renderer, annotation.title, 0.6 * font, y, font, kInk);
-  if (layout.legend_below_title) y -= 1.4 * font;
-  const double all = legend_width(annotation.legend, layout.font) * scale;
-  double x = layout.legend_below_title ? 0.6 * font : std::max(0.6 * font, width - all);
-  for (const LegendEntry& entry : annotation.legend) {
-    add_swatch(renderer, entry, x, y, font);
-    add_text(renderer, entry.text, x + (kSwatch + kGap) * font, y, font, kInk);
-    x += text_width(entry.text, layout.font) * scale + (kSwatch + 3 * kGap) * font;
-  }
+              const std::array<double, 3>& background, const std::array<double, 3>& words_on) {
+  const auto drawn = [&](int pixels) { return static_cast<double>(pixels) * scale; };
+  const Sheet sheet{
+      renderer,           drawn(layout.width),  drawn(layout.height),      drawn(layout.font),
+      drawn(layout.band), drawn(layout.footer), Inks(background, words_on)};
+  for (const Mark& mark : annotation.marks)
+    add_text(renderer, mark.text,
+             {(mark.place[0] + 1) / 2 * sheet.width, (mark.place[1] + 1) / 2 * sheet.height},
+             kSmall * sheet.font, sheet.inks.ink, Anchor::Centre, &sheet.inks.ground);
+  add_box(renderer, 0, sheet.height - sheet.band, sheet.width, sheet.band, sheet.inks.ground);
+  add_box(renderer, 0, 0, sheet.width, sheet.footer, sheet.inks.ground);
+  add_band(sheet, annotation, layout.legend_below_title);
   if (!annotation.note.empty())
-    add_text(renderer, annotation.note, 0.6 * font, 0.75 * font, 0.72 * font, kUnlabelled);
+    add_text(renderer, annotation.note, {0.6 * sheet.font, 0.75 * sheet.font}, kSmall * sheet.font,
+             sheet.inks.faint);
+  if (annotation.scale_bar) add_scale_bar(sheet, *annotation.scale_bar);
+  add_axes(sheet, annotation.axes);
 }
 
 }  // namespace planescope::draw

@@ -67,7 +67,8 @@ Eigen::Vector3d level(const Eigen::Vector3d& vector, const Eigen::Vector3d& axis
 Eigen::Vector3d project(const Camera& camera, double aspect, const Eigen::Vector3d& point) {
   const Eigen::Vector3d p = point - camera.position;
   const double depth = p.dot(camera.forward());
-  const double scale = 1 / (depth * half_tangent(camera.view_angle));
+  const double scale = camera.parallel() ? 2 / camera.parallel_height
+                                         : 1 / (depth * half_tangent(camera.view_angle));
   return {p.dot(camera.right()) * scale / aspect, p.dot(camera.up) * scale, depth};
 }
 
@@ -98,6 +99,50 @@ Camera fit_along(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector
                     y.centre(distance, t_bottom, t_top) * camera.up + distance * back;
   const double depth = distance - depth_sum / static_cast<double>(points.size());
   camera.focal = camera.position - depth * back;
+  return camera;
+}
+
+Camera fit_parallel(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3d& forward,
+                    const Eigen::Vector3d& up, double view_angle, double aspect,
+                    const Frame& frame) {
+  Camera camera;
+  camera.view_angle = view_angle;
+  aim(camera, forward, up);
+  const Eigen::Vector3d ahead = camera.forward(), right = camera.right();
+  Eigen::AlignedBox3d box;  // along right, up and ahead
+  for (const Eigen::Vector3f& point : points) {
+    const Eigen::Vector3d p = point.cast<double>();
+    box.extend(Eigen::Vector3d(p.dot(right), p.dot(camera.up), p.dot(ahead)));
+  }
+  const Eigen::Vector3d size = box.sizes(), middle = box.center();
+  camera.parallel_height = std::max({2 * size.y() / (frame.top - frame.bottom),
+                                     2 * size.x() / (frame.right - frame.left) / aspect, 1e-3});
+  const double x = middle.x() - (frame.left + frame.right) / 4 * camera.parallel_height * aspect;
+  const double y = middle.y() - (frame.bottom + frame.top) / 4 * camera.parallel_height;
+  const double distance = camera.parallel_height / 2 / half_tangent(view_angle) + size.z() / 2;
+  camera.focal = x * right + y * camera.up + middle.z() * ahead;
+  camera.position = camera.focal - distance * ahead;
+  return camera;
+}
+
+double pixels_per_metre(const Camera& camera, double height, double depth) {
+  return camera.parallel() ? height / camera.parallel_height
+                           : height / (2 * half_tangent(camera.view_angle) * depth);
+}
+
+Camera adjusted(Camera camera, const std::optional<Eigen::Vector3d>& focal, double zoom,
+                double roll) {
+  if (focal) {
+    camera.position += *focal - camera.focal;
+    camera.focal = *focal;
+  }
+  if (zoom != 1) {  // what is not asked for changes no digit
+    camera.parallel_height /= zoom;
+    camera.view_angle =
+        2 * std::atan(half_tangent(camera.view_angle) / zoom) * 180 / std::numbers::pi;
+  }
+  if (roll != 0)
+    camera.up = Eigen::AngleAxisd(roll * std::numbers::pi / 180, camera.forward()) * camera.up;
   return camera;
 }
 

@@ -7,19 +7,12 @@
 
 #include <Eigen/Geometry>
 
-/// \file The camera as a plain value, and how it is fitted to a scene.
+#include "planescope/camera.hpp"
+
+/// \file How a camera is fitted to a scene.
 namespace planescope::draw {
 
-/// A perspective camera.
-struct Camera {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< [m]
-  Eigen::Vector3d focal = Eigen::Vector3d::UnitZ();    ///< [m] what it looks at
-  Eigen::Vector3d up = Eigen::Vector3d::UnitY();       ///< unit, orthogonal to the view
-  double view_angle = 30;                              ///< [deg] vertical, of the whole picture
-
-  Eigen::Vector3d forward() const { return (focal - position).normalized(); }
-  Eigen::Vector3d right() const { return forward().cross(up).normalized(); }
-};
+using planescope::Camera;
 
 /// The part of the picture that the scene may fill, in normalised coordinates: the picture spans
 /// -1 to 1, x to the right, y upwards.
@@ -37,10 +30,25 @@ Eigen::Vector3d project(const Camera& camera, double aspect, const Eigen::Vector
 Camera fit_along(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3d& forward,
                  const Eigen::Vector3d& up, double view_angle, double aspect, const Frame& frame);
 
+/// The parallel projection along `forward`, upright with `up`, that shows all points within the
+/// frame and no more. The camera stands as far off as one with this view angle would.
+Camera fit_parallel(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3d& forward,
+                    const Eigen::Vector3d& up, double view_angle, double aspect,
+                    const Frame& frame);
+
 /// The camera at `position`, upright with `up`, turned and opened so that all points fit into the
 /// frame; the angle ends at 120 degrees, beyond which pictures are distorted.
 Camera fit_from(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3d& position,
                 const Eigen::Vector3d& up, double aspect, const Frame& frame);
+
+/// [pixel] of a picture of this height that a metre takes at this depth [m].
+double pixels_per_metre(const Camera& camera, double height, double depth);
+
+/// The camera moved so that `focal` is in the middle of the picture, then opened or closed to show
+/// things `zoom` times as large, then turned clockwise by `roll` [deg]: what it shows turns the
+/// other way.
+Camera adjusted(Camera camera, const std::optional<Eigen::Vector3d>& focal, double zoom,
+                double roll);
 
 /// `vector` without its part along the unit vector `axis`, unit; if nothing is left, any unit
 /// vector that is orthogonal to the axis.

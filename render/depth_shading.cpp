@@ -29,6 +29,8 @@ uniform sampler2D depths;
 uniform ivec2 last;     // pixel of the textures
 uniform ivec2 radii;    // [pixel] of the inner ring, which draws contours, and of the outer one
 uniform float a, b;
+uniform vec2 range;     // [m] near and far plane
+uniform bool parallel;  // projection, where d = (z - n) / (f - n)
 uniform float noise;    // [1/m] of the depth, for each metre of it
 
 const float kTolerance = 0.0012;  // of the depth: roughness that is always there
@@ -47,7 +49,12 @@ ivec2 place(ivec2 at, int radius, int i)
   return clamp(at + offset, ivec2(0), last);
 }
 
-float inverseDepth(ivec2 at) { return a - texelFetch(depths, at, 0).r; }
+// In units of 1 / b, whatever the projection.
+float inverseDepth(ivec2 at)
+{
+  float d = texelFetch(depths, at, 0).r;
+  return parallel ? b / mix(range.x, range.y, d) : a - d;
+}
 
 void main()
 {
@@ -83,7 +90,7 @@ void main()
     }
   }
   gl_FragData[0] = vec4(color * exp(-kStrength * shade / 5.0), 1.0);
-  gl_FragDepth = a - here;
+  gl_FragDepth = parallel ? (b / here - range.x) / (range.y - range.x) : a - here;
 }
 )";
 
@@ -135,6 +142,9 @@ void DepthShading::shade(vtkRenderer* renderer, vtkOpenGLRenderWindow* window) {
   const double a = range[1] / (range[1] - range[0]);
   program.SetUniformf("a", static_cast<float>(a));
   program.SetUniformf("b", static_cast<float>(a * range[0]));
+  const float near_and_far[2] = {static_cast<float>(range[0]), static_cast<float>(range[1])};
+  program.SetUniform2f("range", near_and_far);
+  program.SetUniformi("parallel", renderer->GetActiveCamera()->GetParallelProjection());
   program.SetUniformf("noise", static_cast<float>(noise_));
 
   vtkOpenGLState& gl = *window->GetState();

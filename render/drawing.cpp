@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string>
 #include <utility>
 
@@ -16,17 +15,16 @@
 #include <vtkRenderStepsPass.h>
 
 #include "depth_shading.hpp"
-#include "fit_points.hpp"
+#include "marks.hpp"
 #include "planescope/error.hpp"
 #include "sensor_noise.hpp"
+#include "thinning.hpp"
+#include "validate.hpp"
 
 namespace planescope::draw {
 namespace {
 
 constexpr std::size_t kDepthSample = 200'000;
-// [pixel] Here all buffers together take about 5 GB.
-constexpr std::int64_t kMostPixels = std::int64_t{1} << 26;
-
 vtkSmartPointer<vtkRenderer> make_renderer(Window& window, int layer) {
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
   renderer->SetLayer(layer);
@@ -40,6 +38,8 @@ void place(vtkRenderer& renderer, const Camera& camera, const double* clipping_r
   active.SetFocalPoint(camera.focal.data());
   active.SetViewUp(camera.up.data());
   active.SetViewAngle(camera.view_angle);
+  active.SetParallelProjection(camera.parallel());
+  if (camera.parallel()) active.SetParallelScale(camera.parallel_height / 2);
   active.SetClippingRange(clipping_range[0], clipping_range[1]);
 }
 
@@ -58,77 +58,64 @@ std::array<double, 2> depth_range(const PointCloud& cloud, const Camera& camera)
   return {std::clamp(0.8 * nearest, 1e-3 * farthest, 0.99 * farthest), 1.5 * farthest};
 }
 
-Actors add_all(vtkRenderer& renderer, Actors actors) {
-  for (const auto& actor : actors) renderer.AddActor(actor);
-  return actors;
+}  // namespace
+
+namespace {
+
+SceneColors all_colors(const SceneData& scene, const RenderOptions& options, const Shot& shot) {
+  SceneColors colors = choose_colors(scene, options.palette);
+  colors.heights = height_range(scene.result.cloud, shot.axes().up.cast<float>());
+  if (!options.truth.empty()) add_truth(colors, scene, options.truth);
+  return colors;
 }
 
 }  // namespace
 
-void validate(const RenderOptions& options) {
-  const auto refuse = [](const std::string& what) { throw Error(Error::Kind::Usage, what); };
-  for (const int side : options.size) {
-    if (side < 16 || side > 16384)
-      refuse("picture size " + std::to_string(options.size[0]) + "x" +
-             std::to_string(options.size[1]) + ": each side must be 16 to 16384 pixels");
-  }
-  if (std::int64_t{options.size[0]} * options.size[1] > kMostPixels)
-    refuse("picture size " + std::to_string(options.size[0]) + "x" +
-           std::to_string(options.size[1]) +
-           ": at most 67108864 pixels in all (8192x8192); ask for less");
-  if (options.supersample < 1 || options.supersample > 4)
-    refuse("supersample " + std::to_string(options.supersample) + ": must be 1 to 4");
-  for (const double channel : options.background)
-    if (!(channel >= 0 && channel <= 1)) refuse("background: each channel must be 0 to 1");
-  if (!(options.point_size >= 0 && options.point_size <= 100))
-    refuse("point size " + std::to_string(options.point_size) + ": must be 0 to 100 pixels");
-  if (options.up && !(options.up->allFinite() && options.up->norm() > 0))
-    refuse("up: must be a direction, such as 0,0,1");
-}
-
-Drawing::Drawing(const SceneData& scene, const RenderOptions& options)
+Drawing::Drawing(const SceneData& scene, const RenderOptions& options, Fit fit)
     : scene_(scene),
       options_((validate(options), options)),
-      frame_(scene_frame(scene, options.up)),
-      view_(choose_view(options.view, scene, frame_)),
-      colors_(choose_colors(scene)),
-      fitted_(points_to_fit(scene.result, frame_, {})) {
-  if (options.cull_front && !view_.position) {  // a sensor saw all that it saw
-    const Layout layout(options.size[0], options.size[1], {});
-    cut_ = Cutaway(scene, frame_, camera(layout).position);
-    fitted_ = points_to_fit(scene.result, frame_, cut_);
-  }
-  // From above the camera's left shoulder.
-  const Eigen::Vector3d across = view_.forward.cross(view_.up);
+      shot_(scene, options, fit),
+      colors_(all_colors(scene, options, shot_)) {
+  make_renderers();
+}
+
+void Drawing::upload(const std::array<int, 2>& size, int scale) {
+  // From above the left shoulder of the first picture's camera.
+  const Eigen::Vector3d lamp = -eye_.forward() + 0.6 * eye_.up - 0.4 * eye_.right();
   const Eigen::Vector3d light =
-      options.eye_dome_lighting
-          ? Eigen::Vector3d((-view_.forward + 0.6 * view_.up - 0.4 * across).normalized())
-          : Eigen::Vector3d::Zero();
+      options_.eye_dome_lighting ? Eigen::Vector3d(lamp.normalized()) : Eigen::Vector3d(0, 0, 0);
+  painter_ = std::make_unique<PointPainter>(scene_, colors_, shot_.axes().up, light);
+  std::vector<std::uint32_t> points = visible_points(scene_, shot_.cut());
+  if (points.size() >= kThinningPoints)
+    points = nearest_per_pixel(scene_.result.cloud, points, eye_, size[0] * scale, size[1] * scale);
+  points_ = std::make_unique<PointLayer>(scene_, *painter_, std::move(points));
+  points_renderer_->AddActor(points_->actor());
+}
+
+void Drawing::make_renderers() {
   points_renderer_ = make_renderer(window_, 0);
   shapes_renderer_ = make_renderer(window_, 1);
   window_.vtk()->SetNumberOfLayers(2);
-  points_renderer_->SetBackground(options.background.data());
-  if (options.eye_dome_lighting) {
+  if (options_.eye_dome_lighting) {
     vtkNew<vtkRenderStepsPass> steps;
     shading_ = vtkSmartPointer<DepthShading>::New();
     shading_->SetDelegatePass(steps);
-    if (view_.position)
-      shading_->SetNoise(depth_noise(scene.result.cloud, *view_.position, view_.forward));
+    const Viewpoint& view = shot_.view();
+    if (view.position)
+      shading_->SetNoise(depth_noise(scene_.result.cloud, *view.position, view.forward));
     points_renderer_->SetPass(shading_);
   }
   shapes_renderer_->PreserveDepthBufferOn();
-  shapes_renderer_->UseDepthPeelingOn();
-  shapes_renderer_->SetMaximumNumberOfPeels(12);
-  shapes_renderer_->SetOcclusionRatio(0.0);
-  points_ = std::make_unique<PointLayer>(scene, colors_, frame_.up, light, cut_);
-  points_renderer_->AddActor(points_->actor());
+  // These steps blend translucent cells in the order in which they come: plane_layer() sorts them.
+  vtkNew<vtkRenderStepsPass> blended;
+  shapes_renderer_->SetPass(blended);
 }
 
 Camera Drawing::camera(const Layout& layout) const {
   Frame frame;
   frame.top = std::min(frame.top, 1 - 2.0 * layout.band / layout.height);
   frame.bottom = std::max(frame.bottom, -1 + 2.0 * layout.footer / layout.height);
-  return view_.fit(fitted_, static_cast<double>(layout.width) / layout.height, frame);
+  return shot_.camera(static_cast<double>(layout.width) / layout.height, frame);
 }
 
 int Drawing::supersample(const std::array<int, 2>& size) const {
@@ -146,40 +133,76 @@ int Drawing::supersample(const std::array<int, 2>& size) const {
   return scale;
 }
 
-void Drawing::show(Layer layers, const Camera& camera, const Layout& layout, int scale) {
-  PointColors colors{has(layers, Layer::Scene), has(layers, Layer::Patches),
-                     has(layers, Layer::Segments), false};
-  if (!colors.scene && !colors.patches && !colors.segments) colors = {true, false, false, true};
+void Drawing::show(Layer layers, const PointColors& colors, const Layout& layout, int scale) {
   points_->show(colors);
-  const double tangent = std::tan(camera.view_angle * std::numbers::pi / 360);
   const double side = std::sqrt(static_cast<double>(layout.width) * layout.height);
-  const double focal = layout.height * scale / (2 * tangent);
-  points_->scale(
-      {focal, options_.point_size * scale, static_cast<double>(scale), side * scale / 20});
-  const Pen pen{scale * std::max(0.6, side / 1440), focal};
+  const double height = static_cast<double>(layout.height) * scale;
+  points_->scale({pixels_per_metre(eye_, height, 1), options_.point_size * scale,
+                  static_cast<double>(scale), side * scale / 20});
+  const Pen pen{scale * std::max(0.6, side / 1440), height};
   if (shading_) {  // at 1920 x 1080: two pixels and six
     const double size = scale * side / 1440;
     shading_->SetRadii(std::max(scale, static_cast<int>(std::lround(2 * size))),
                        std::max(2 * scale, static_cast<int>(std::lround(6 * size))));
   }
-  if (has(layers, Layer::Planes))
-    add_all(*shapes_renderer_, plane_layer(scene_, colors_, cut_, camera, pen));
-  if (has(layers, Layer::Graph)) add_all(*shapes_renderer_, graph_layer(scene_, cut_, camera, pen));
+  shapes_.clear();
+  const auto add = [&](const Actors& actors) {
+    shapes_.insert(shapes_.end(), actors.begin(), actors.end());
+  };
+  if (has(layers, Layer::Planes)) add(plane_layer(scene_, colors_, shot_.cut(), eye_, pen));
+  if (has(layers, Layer::Graph)) add(graph_layer(scene_, shot_.cut(), eye_, pen));
 }
 
-Image Drawing::draw(Layer layers, const std::array<int, 2>& size, Annotation annotation) {
-  if (cut_.any() && annotation.has_band())
+void Drawing::complete(Annotation& annotation, const PointColors& colors,
+                       const std::array<int, 2>& size) const {
+  const AnnotationOptions& asked = options_.annotation;
+  if (asked.legend) {
+    const auto legend = color_legend(scene_, colors_, colors);
+    annotation.legend.insert(annotation.legend.end(), legend.begin(), legend.end());
+  }
+  shorten_legend(annotation, size[0], size[1]);
+  if (shot_.cut().any() && annotation.has_band())
     annotation.note = "walls between camera and room are left out";
+  if (asked.scale_bar) annotation.scale_bar = ScaleBar{};  // has its place before it is known
+}
+
+void Drawing::mark(Annotation& annotation, const Layout& layout) const {
+  if (annotation.scale_bar) annotation.scale_bar = scale_bar(eye_, layout);
+  if (options_.annotation.axes) annotation.axes = axis_marks(eye_);
+  if (!options_.annotation.labels) return;
+  annotation.marks = segment_marks(scene_, shot_.cut(), eye_, layout);
+  thin_out(annotation.marks, layout);
+}
+
+Image Drawing::picture(const std::array<int, 2>& size, int scale, const Annotation& annotation,
+                       const Layout& layout) {
+  const auto on = [&](const std::array<double, 3>& ground) {
+    shapes_renderer_->RemoveAllViewProps();
+    for (const auto& actor : shapes_) shapes_renderer_->AddActor(actor);
+    annotate(*shapes_renderer_, annotation, layout, scale, ground, options_.background);
+    points_renderer_->SetBackground(ground.data());
+    return downsample(window_.draw(size[0] * scale, size[1] * scale), scale);
+  };
+  if (!options_.transparent) return on(options_.background);
+  // What lets white through and not black is how transparent the picture is; words keep the ink of
+  // the background that was asked for, because that is like what they will lie on.
+  return matte(on({1, 1, 1}), on({0, 0, 0}));
+}
+
+Image Drawing::draw(Layer layers, const std::array<int, 2>& size, Annotation annotation,
+                    ColorBy by) {
+  const PointColors colors = point_colors(layers, by);
+  complete(annotation, colors, size);
   const Layout layout(size[0], size[1], annotation);
-  const Camera eye = camera(layout);
+  eye_ = camera(layout);
+  mark(annotation, layout);
   const int scale = supersample(size);
-  shapes_renderer_->RemoveAllViewProps();
-  show(layers, eye, layout, scale);
-  annotate(*shapes_renderer_, annotation, layout, scale, options_.background);
-  const std::array<double, 2> depths = depth_range(scene_.result.cloud, eye);
-  place(*points_renderer_, eye, depths.data());
-  place(*shapes_renderer_, eye, depths.data());
-  const Image image = downsample(window_.draw(size[0] * scale, size[1] * scale), scale);
+  if (!points_) upload(size, scale);
+  show(layers, colors, layout, scale);
+  const std::array<double, 2> depths = depth_range(scene_.result.cloud, eye_);
+  place(*points_renderer_, eye_, depths.data());
+  place(*shapes_renderer_, eye_, depths.data());
+  Image image = picture(size, scale, annotation, layout);
   if (is_uniform(image, layout.band, layout.height - layout.footer)) {
     throw Error(Error::Kind::Rendering,
                 "the picture would be one colour only, so it is not written; is the scene within "

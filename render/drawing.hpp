@@ -15,10 +15,11 @@
 #include "point_layer.hpp"
 #include "scene_data.hpp"
 #include "shape_layers.hpp"
-#include "viewpoint.hpp"
+#include "shot.hpp"
 #include "window.hpp"
 
-/// \file One scene in one window, drawn as often as wanted: points are uploaded once.
+/// \file One scene in one window, drawn as often as wanted: points are uploaded once, for the first
+/// picture, which should be the largest: clouds are thinned to what it can show.
 namespace planescope::draw {
 
 /// Draws a scene's layers from one viewpoint. Two renderers share the picture: the points, shaded
@@ -26,37 +27,46 @@ namespace planescope::draw {
 class Drawing {
  public:
   /// `scene` must outlive the drawing.
-  /// \throws Error{Kind::Usage} size, supersampling or background are out of range.
+  /// \throws Error{Kind::Usage} options are out of range, or the scene lacks what they name.
   /// \throws Error{Kind::Input} nothing in the scene is finite.
   /// \throws Error{Kind::Rendering} no OpenGL context.
-  Drawing(const SceneData& scene, const RenderOptions& options);
+  Drawing(const SceneData& scene, const RenderOptions& options, Fit fit = Fit::Scene);
 
-  /// A picture of some layers. Where no layer of points is asked for, faded points lie under the
-  /// others. A note says what was cut away, if there are other words.
+  /// A picture of some layers, its points coloured as `by` says. Where neither asks for colours,
+  /// faded points lie under the others. What the options ask for is added to the annotation, and a
+  /// note of what was cut away, if there are other words.
   /// \throws Error{Kind::Rendering} it would be uniform where the scene is, or VTK fails.
-  Image draw(Layer layers, const std::array<int, 2>& size, Annotation annotation);
+  Image draw(Layer layers, const std::array<int, 2>& size, Annotation annotation,
+             ColorBy by = ColorBy::Layers);
 
-  /// The camera of a picture of this size.
-  Camera camera(const Layout& layout) const;
+  /// The camera of the picture that was drawn last.
+  const Camera& camera() const { return eye_; }
+  const Shot& shot() const { return shot_; }
+  const SceneColors& colors() const { return colors_; }
 
  private:
-  void show(Layer layers, const Camera& camera, const Layout& layout, int scale);
+  void make_renderers();
+  void upload(const std::array<int, 2>& size, int scale);
+  Camera camera(const Layout& layout) const;
+  void complete(Annotation& annotation, const PointColors& colors,
+                const std::array<int, 2>& size) const;
+  void mark(Annotation& annotation, const Layout& layout) const;
+  void show(Layer layers, const PointColors& colors, const Layout& layout, int scale);
+  Image picture(const std::array<int, 2>& size, int scale, const Annotation& annotation,
+                const Layout& layout);
   int supersample(const std::array<int, 2>& size) const;
 
   const SceneData& scene_;
   RenderOptions options_;
-  SceneFrame frame_;
-  Viewpoint view_;
+  Shot shot_;
   SceneColors colors_;
-  std::vector<Eigen::Vector3f> fitted_;  // a sample of the points that must be in the picture
-  Cutaway cut_;
   Window window_;
   vtkSmartPointer<vtkRenderer> points_renderer_, shapes_renderer_;
   vtkSmartPointer<DepthShading> shading_;  // null without eye-dome lighting
+  std::unique_ptr<PointPainter> painter_;
   std::unique_ptr<PointLayer> points_;
+  Actors shapes_;
+  Camera eye_;
 };
-
-/// Checks what Drawing needs of the options. \throws Error{Kind::Usage}
-void validate(const RenderOptions& options);
 
 }  // namespace planescope::draw

@@ -53,24 +53,55 @@ std::vector<Panel> overview_panels(const SceneData& scene) {
           panel(Layer::Graph, "Edges: " + grouped(edges))};
 }
 
-Image draw_panels(Drawing& drawing, const std::vector<Panel>& panels, std::size_t columns,
-                  const std::array<int, 2>& size, const Pixel& background) {
-  const auto across = static_cast<int>(columns);
-  const auto down = static_cast<int>((panels.size() + columns - 1) / columns);
-  const int line = std::max(1, size[1] / 700);
-  const int width = (size[0] - line * (across - 1)) / across;
-  const int height = (size[1] - line * (down - 1)) / down;
+namespace {
+
+/// Where panels go.
+struct Grid {
+  Grid(std::size_t count, std::size_t columns, const std::array<int, 2>& size)
+      : across(static_cast<int>(columns)),
+        down(static_cast<int>((count + columns - 1) / columns)),
+        line(std::max(1, size[1] / 700)),
+        width((size[0] - line * (across - 1)) / across),
+        height((size[1] - line * (down - 1)) / down) {}
+  int across, down, line, width, height;
+};
+
+}  // namespace
+
+std::array<int, 2> panel_size(std::size_t count, std::size_t columns,
+                              const std::array<int, 2>& size) {
+  const Grid grid(count, columns, size);
+  return {grid.width, grid.height};
+}
+
+bool shrinks_well(const std::array<int, 2>& size) {
+  constexpr double kLeastArea = 700.0 * 700.0;  // there letters are 8 pixels high in panels
+  return static_cast<double>(size[0]) * size[1] >= kLeastArea;
+}
+
+Image arrange(const std::vector<Image>& pictures, std::size_t columns,
+              const std::array<int, 2>& size, const Pixel& background) {
+  const Grid grid(pictures.size(), columns, size);
   Image canvas = filled(size[0], size[1], background);
-  for (int i = 1; i < across; ++i)
-    paste(canvas, filled(line, size[1], kSeparator), i * width + (i - 1) * line, 0);
-  for (int i = 1; i < down; ++i)
-    paste(canvas, filled(size[0], line, kSeparator), 0, i * height + (i - 1) * line);
-  for (std::size_t i = 0; i < panels.size(); ++i) {
-    const int column = static_cast<int>(i) % across, row = static_cast<int>(i) / across;
-    paste(canvas, drawing.draw(panels[i].layers, {width, height}, panels[i].annotation),
-          column * (width + line), row * (height + line));
+  for (int i = 1; i < grid.across; ++i)
+    paste(canvas, filled(grid.line, size[1], kSeparator), i * grid.width + (i - 1) * grid.line, 0);
+  for (int i = 1; i < grid.down; ++i)
+    paste(canvas, filled(size[0], grid.line, kSeparator), 0, i * grid.height + (i - 1) * grid.line);
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const int column = static_cast<int>(i) % grid.across, row = static_cast<int>(i) / grid.across;
+    paste(canvas, shrunk(pictures[i], grid.width, grid.height), column * (grid.width + grid.line),
+          row * (grid.height + grid.line));
   }
   return canvas;
+}
+
+Image draw_panels(Drawing& drawing, const std::vector<Panel>& panels, std::size_t columns,
+                  const std::array<int, 2>& size, const Pixel& background) {
+  const std::array<int, 2> one = panel_size(panels.size(), columns, size);
+  std::vector<Image> pictures;
+  for (const Panel& panel : panels)
+    pictures.push_back(drawing.draw(panel.layers, one, panel.annotation));
+  return arrange(pictures, columns, size, background);
 }
 
 }  // namespace planescope::draw

@@ -13,6 +13,11 @@
 namespace planescope::draw {
 namespace {
 
+constexpr double kAlike = 0.06;  // Oklab: below it two areas that touch are taken for one
+
+constexpr std::array kVisions = {Vision::Normal, Vision::Protanopia, Vision::Deuteranopia,
+                                 Vision::Tritanopia, Vision::Grey};
+
 double to_linear(std::uint8_t value) {
   const double v = value / 255.0;
   return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
@@ -62,6 +67,8 @@ Eigen::Matrix3d machado(Vision vision) {
       return rows({1.255528, -0.076749, -0.178779,  //
                    -0.078411, 0.930809, 0.147602,   //
                    0.004733, 0.691367, 0.303900});
+    case Vision::Grey:
+      return rows({0.2126, 0.7152, 0.0722, 0.2126, 0.7152, 0.0722, 0.2126, 0.7152, 0.0722});
     case Vision::Normal:
       break;
   }
@@ -111,7 +118,8 @@ double suitability(std::size_t candidate, const Contrasts& contrasts,
   double nearest = 2 * kEnough, worst = kEnough, normal = kEnough;
   for (const std::size_t color : neighbours) {
     const Contrasts::Pair& pair = contrasts(candidate, color);
-    nearest = std::min(nearest, pair.worst + pair.normal);
+    // Too alike for one kind of reader counts more than any liking.
+    nearest = std::min(nearest, pair.worst + pair.normal - 8 * std::max(0.0, kAlike - pair.worst));
   }
   for (std::size_t color = 0; color < uses.size(); ++color) {
     if (uses[color] == 0) continue;
@@ -119,6 +127,33 @@ double suitability(std::size_t candidate, const Contrasts& contrasts,
     normal = std::min(normal, contrasts(candidate, color).normal);
   }
   return nearest + 0.2 * worst + 0.6 * normal - 0.02 * uses[candidate];
+}
+
+/// The least contrast of a candidate with its neighbours' colours.
+double least_contrast(const Contrasts& contrasts, std::size_t candidate,
+                      const std::vector<std::size_t>& neighbours) {
+  double least = 1;
+  for (const std::size_t color : neighbours)
+    least = std::min(least, contrasts(candidate, color).worst);
+  return least;
+}
+
+/// The candidate of a group that suits best.
+std::size_t best_candidate(const Contrasts& contrasts, std::size_t group,
+                           const std::vector<std::size_t>& neighbours,
+                           const std::vector<int>& uses) {
+  constexpr double kLater = 0.004;  // candidates are listed best first
+  double best = -std::numeric_limits<double>::infinity();
+  std::size_t chosen = contrasts.first[group];
+  for (std::size_t c = contrasts.first[group]; c < contrasts.first[group + 1]; ++c) {
+    const double value = suitability(c, contrasts, neighbours, uses) -
+                         kLater * static_cast<double>(c - contrasts.first[group]);
+    if (value > best) {
+      best = value;
+      chosen = c;
+    }
+  }
+  return chosen;
 }
 
 }  // namespace
@@ -145,9 +180,7 @@ Pixel from_oklch(double lightness, double chroma, double hue) {
 
 double contrast(const Pixel& a, const Pixel& b) {
   double least = std::numeric_limits<double>::infinity();
-  for (const Vision vision :
-       {Vision::Normal, Vision::Protanopia, Vision::Deuteranopia, Vision::Tritanopia})
-    least = std::min(least, difference(a, b, vision));
+  for (const Vision vision : kVisions) least = std::min(least, difference(a, b, vision));
   return least;
 }
 
@@ -155,6 +188,13 @@ std::vector<Pixel> calm_colors() {
   std::vector<Pixel> colors;
   for (const double lightness : {0.90, 0.81, 0.72})
     for (int hue = 70; hue < 430; hue += 40) colors.push_back(from_oklch(lightness, 0.07, hue));
+  return colors;
+}
+
+std::vector<Pixel> grey_colors() {
+  std::vector<Pixel> colors;
+  for (const double lightness : {0.90, 0.55, 0.72, 0.40, 0.81, 0.63, 0.47})
+    colors.push_back(from_oklch(lightness, 0, 0));
   return colors;
 }
 
@@ -182,30 +222,68 @@ std::vector<Pixel> assign_colors(const std::vector<std::size_t>& groups,
   const Contrasts contrasts(palettes);
   std::vector<std::vector<std::uint32_t>> adjacent(groups.size());
   for (const auto& [a, b] : neighbours) {
-    adjacent[std::max(a, b)].push_back(std::min(a, b));  // who is coloured before
+    adjacent[a].push_back(b);
+    adjacent[b].push_back(a);
   }
   std::vector<std::size_t> chosen(groups.size());
   std::vector<int> uses(contrasts.colors.size(), 0);
-  std::vector<Pixel> colors(groups.size());
+  const auto around = [&](std::size_t i, std::size_t colored) {
+    std::vector<std::size_t> colors;
+    for (const std::uint32_t other : adjacent[i])
+      if (other < colored && other != i) colors.push_back(chosen[other]);
+    std::sort(colors.begin(), colors.end());
+    colors.erase(std::unique(colors.begin(), colors.end()), colors.end());
+    return colors;
+  };
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    std::vector<std::size_t> around;
-    for (const std::uint32_t other : adjacent[i]) around.push_back(chosen[other]);
-    std::sort(around.begin(), around.end());
-    around.erase(std::unique(around.begin(), around.end()), around.end());
-    double best = -std::numeric_limits<double>::infinity();
-    for (std::size_t c = contrasts.first[groups[i]]; c < contrasts.first[groups[i] + 1]; ++c) {
-      constexpr double kLater = 0.004;  // candidates are listed best first
-      const double value = suitability(c, contrasts, around, uses) -
-                           kLater * static_cast<double>(c - contrasts.first[groups[i]]);
-      if (value > best) {
-        best = value;
-        chosen[i] = c;
-      }
-    }
+    chosen[i] = best_candidate(contrasts, groups[i], around(i, i), uses);
     ++uses[chosen[i]];
-    colors[i] = contrasts.colors[chosen[i]];
   }
+  for (int sweep = 0; sweep < 3; ++sweep) {
+    for (std::size_t i = groups.size(); i-- > 0;) {  // the smallest first: they have more freedom
+      const std::vector<std::size_t> neighbour_colors = around(i, groups.size());
+      if (least_contrast(contrasts, chosen[i], neighbour_colors) > kAlike) continue;
+      --uses[chosen[i]];
+      const std::size_t other = best_candidate(contrasts, groups[i], neighbour_colors, uses);
+      if (least_contrast(contrasts, other, neighbour_colors) >
+          least_contrast(contrasts, chosen[i], neighbour_colors))
+        chosen[i] = other;
+      ++uses[chosen[i]];
+    }
+  }
+  std::vector<Pixel> colors;
+  for (const std::size_t c : chosen) colors.push_back(contrasts.colors[c]);
   return colors;
+}
+
+std::array<double, 5> least_differences(const std::vector<Pixel>& colors,
+                                        const Neighbours& neighbours) {
+  std::array<double, 5> least{1, 1, 1, 1, 1};
+  for (const auto& [a, b] : neighbours)
+    for (std::size_t v = 0; v < kVisions.size(); ++v)
+      least[v] = std::min(least[v], difference(colors[a], colors[b], kVisions[v]));
+  return least;
+}
+
+Pixel deepened(const Pixel& color) {
+  const Eigen::Vector3d lab = to_oklab(color);
+  const double chroma = std::hypot(lab.y(), lab.z());
+  if (chroma < 0.02) return from_oklch(lab.x() - 0.15, 0, 0);  // grey stays grey
+  const double hue = std::atan2(lab.z(), lab.y()) * 180 / std::numbers::pi;
+  return from_oklch(std::clamp(lab.x() - 0.12, 0.45, 0.78), std::max(chroma, 0.14), hue);
+}
+
+Pixel direction_color(const Eigen::Vector3d& normal) {
+  Pixel color{};
+  for (std::size_t c = 0; c < 3; ++c)
+    color[c] = static_cast<std::uint8_t>(
+        std::lround(60 + 185 * std::min(std::abs(normal[static_cast<Eigen::Index>(c)]), 1.0)));
+  return color;
+}
+
+Pixel ramp_color(double t) {
+  const double x = std::clamp(t, 0.0, 1.0);
+  return from_oklch(0.30 + 0.60 * x, 0.12, 285 - 185 * x);
 }
 
 Pixel height_color(double t) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -14,11 +15,12 @@
 namespace planescope::draw {
 
 /// How a reader sees: with three kinds of cones, or without one of them.
-enum class Vision { Normal, Protanopia, Deuteranopia, Tritanopia };
+/// Grey: in print without colours.
+enum class Vision { Normal, Protanopia, Deuteranopia, Tritanopia, Grey };
 
 /// What a colour looks like to such a reader. Protanopia, deuteranopia and tritanopia by the
 /// matrices of Machado, Oliveira and Fernandes (IEEE TVCG 15(6), 2009) at full severity, in linear
-/// light.
+/// light. Grey: the grey of the same luminance.
 Pixel seen_by(Vision vision, const Pixel& color);
 
 /// Oklab coordinates (Ottosson 2020): lightness from 0 to 1, and two opponent axes; Euclidean
@@ -38,16 +40,36 @@ std::vector<Pixel> calm_colors();
 /// Candidates for objects: saturated, in three clearly different lightnesses.
 std::vector<Pixel> vivid_colors();
 
+/// Steps of grey.
+std::vector<Pixel> grey_colors();
+
 /// A pair of things that touch and must not look alike.
 using Neighbours = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
 /// Gives each of `groups.size()` things a colour from its group's candidates (palettes[groups[i]]),
 /// in order: the candidate that contrasts most with its neighbours' colours so far, and with all
 /// others in use, for every reader; candidates that are listed first, or are used less, are
-/// preferred by a little.
+/// preferred by a little. Then those that look too much like a neighbour are given another one, in
+/// view of all their neighbours.
 std::vector<Pixel> assign_colors(const std::vector<std::size_t>& groups,
                                  const std::vector<std::vector<Pixel>>& palettes,
                                  const Neighbours& neighbours);
+
+/// What a reader of any kind has least to go by: the least Oklab distance between the colours of
+/// neighbours, for each kind of vision in the order of Vision. 1 without neighbours.
+std::array<double, 5> least_differences(const std::vector<Pixel>& colors,
+                                        const Neighbours& neighbours);
+
+/// A colour of the same hue, deep enough to be seen through: that of a plane, from the colour of
+/// the segment on it.
+Pixel deepened(const Pixel& color);
+
+/// A direction as a colour: |x|, |y|, |z| of a unit normal as red, green, blue, paled; opposite
+/// sides are alike.
+Pixel direction_color(const Eigen::Vector3d& normal);
+
+/// Viridis-like map of a quantity, t from 0 (dark blue) to 1 (yellow): lightness grows evenly.
+Pixel ramp_color(double t);
 
 /// A calm map of height, t from 0 (lowest) to 1: dusk blue over sage to sand.
 Pixel height_color(double t);

@@ -4,26 +4,36 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
+#include <utility>
+#include <vector>
 
 #include <vtkVersion.h>
 
+#include "animation.hpp"
 #include "drawing.hpp"
 #include "figure.hpp"
 #include "geometry.hpp"
 #include "geometry_files.hpp"
 #include "image.hpp"
+#include "io/whole_file.hpp"
 #include "planescope/error.hpp"
+#include "provenance.hpp"
 #include "scene_data.hpp"
+#include "validate.hpp"
 #include "window.hpp"
 
 namespace planescope {
 namespace {
 
-void render_one(const draw::SceneData& scene, const RenderOptions& options,
-                const std::filesystem::path& png) {
+Camera render_one(const draw::SceneData& scene, const RenderOptions& options,
+                  const std::filesystem::path& png) {
   draw::Drawing drawing(scene, options);
-  const draw::Annotation words = draw::describe(scene, options.layers, options.title);
-  draw::write_png(drawing.draw(options.layers, options.size, words), png);
+  const draw::Annotation words = draw::describe(scene, options.layers, options.annotation.title);
+  const draw::Image image = drawing.draw(options.layers, options.size, words, options.color_by);
+  const Camera camera = draw::in_world(drawing.camera(), scene);
+  draw::write_png(image, png, draw::provenance(scene, options, options.layers, camera));
+  return camera;
 }
 
 draw::Pixel to_pixel(const std::array<double, 3>& color) {
@@ -35,16 +45,42 @@ draw::Pixel to_pixel(const std::array<double, 3>& color) {
 
 }  // namespace
 
-void render(const Segmentation& scene, const PointCloud& cloud, const RenderOptions& options,
-            const std::filesystem::path& png) {
+Camera render(const Segmentation& scene, const PointCloud& cloud, const RenderOptions& options,
+              const std::filesystem::path& png) {
   draw::validate(options);
-  render_one(draw::scene_data(scene, cloud), options, png);
+  return render_one(draw::scene_data(scene, cloud), options, png);
 }
 
-void render(const std::filesystem::path& folder, const RenderOptions& options,
-            const std::filesystem::path& png) {
+Camera render(const std::filesystem::path& folder, const RenderOptions& options,
+              const std::filesystem::path& png) {
   draw::validate(options);
-  render_one(draw::scene_data(folder), options, png);
+  return render_one(draw::scene_data(folder), options, png);
+}
+
+void render_orbit(const std::filesystem::path& folder, const RenderOptions& options, int frames,
+                  const std::filesystem::path& png) {
+  draw::validate(options);
+  if (frames < 2 || frames > 360)
+    throw Error(Error::Kind::Usage,
+                "orbit " + std::to_string(frames) + ": must be 2 to 360 frames");
+  const draw::SceneData scene = draw::scene_data(folder);
+  const draw::Shot shot(scene, options);
+  const double start = draw::azimuth(shot.view(), shot.axes());
+  const draw::Annotation words = draw::describe(scene, options.layers, options.annotation.title);
+  std::vector<std::string> pictures;
+  for (int i = 0; i < frames; ++i) {
+    RenderOptions turned = options;
+    turned.camera.azimuth = std::remainder(start + 360.0 * i / frames, 360.0);
+    // A drawing each: other walls stand in the way.
+    draw::Drawing drawing(scene, turned, draw::Fit::Around);
+    const draw::Image image = drawing.draw(options.layers, options.size, words, options.color_by);
+    const Camera camera = draw::in_world(drawing.camera(), scene);
+    pictures.push_back(
+        draw::encode_png(image, i == 0 ? draw::provenance(scene, options, options.layers, camera)
+                                       : draw::PngNotes{}));
+  }
+  constexpr int kTurn = 10'000;  // [ms]
+  write_whole(png, draw::animate(pictures, kTurn / frames));
 }
 
 void render_pictures(const Segmentation& scene, const PointCloud& cloud,
@@ -54,13 +90,27 @@ void render_pictures(const Segmentation& scene, const PointCloud& cloud,
   const draw::SceneData data = draw::scene_data(scene, cloud, input);
   draw::Drawing drawing(data, options);
   const std::vector<draw::Panel> panels = draw::overview_panels(data);
-  draw::write_png(draw::draw_panels(drawing, panels, 2, options.size, to_pixel(options.background)),
-                  folder / "overview.png");
   const char* const names[] = {nullptr, "segments.png", "planes.png", "graph.png"};
-  for (std::size_t i = 1; i < panels.size(); ++i) {
-    draw::write_png(drawing.draw(panels[i].layers, options.size, panels[i].annotation),
-                    folder / names[i]);
+  const bool shared = draw::shrinks_well(options.size);
+  std::vector<draw::Image> pictures;
+  std::vector<std::future<void>> writes;  // compressed while the next one is drawn
+  const auto notes = [&](Layer layers) {
+    return draw::provenance(data, options, layers, draw::in_world(drawing.camera(), data));
+  };
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    if (i == 0 && !shared) continue;  // the scene is a panel only
+    pictures.push_back(drawing.draw(panels[i].layers, options.size, panels[i].annotation));
+    if (i == 0) continue;
+    writes.push_back(
+        std::async(std::launch::async,
+                   [picture = pictures.back(), file = folder / names[i],
+                    said = notes(panels[i].layers)] { draw::write_png(picture, file, said); }));
   }
+  const draw::Pixel ground = to_pixel(options.background);
+  draw::write_png(shared ? draw::arrange(pictures, 2, options.size, ground)
+                         : draw::draw_panels(drawing, panels, 2, options.size, ground),
+                  folder / "overview.png", notes(Layer::Scene));
+  for (std::future<void>& write : writes) write.get();
 }
 
 void save_geometry(const Segmentation& scene, const PointCloud& cloud,

@@ -54,11 +54,15 @@ SceneData add_geometry(Result result, const std::filesystem::path& folder) {
   const auto graph = folder / "graph.vtp";
   const auto planes = folder / "planes.vtp";
   SceneData data;
-  data.patches =
-      read_vtp(patches, origin,
-               {Columns::OfPoints,
-                {{"normal", 3}, {"area", 1}, {"point_count", 1}, {"plane", 1}, {"label", 1}},
-                patch_count});
+  data.patches = read_vtp(patches, origin,
+                          {Columns::OfPoints,
+                           {{"normal", 3},
+                            {"curvature", 1},
+                            {"area", 1},
+                            {"point_count", 1},
+                            {"plane", 1},
+                            {"label", 1}},
+                           patch_count});
   data.graph = read_vtp(graph, origin,
                         {Columns::OfCells, {{"on", 1}, {"rule", 1}, {"margin", 1}}, patch_count});
   // A hull has no more corners than its points.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -16,6 +17,7 @@
 #include <vtkProperty.h>
 #include <vtkUnsignedCharArray.h>
 
+#include "depth_order.hpp"
 #include "palette.hpp"
 #include "vtk_arrays.hpp"
 
@@ -74,8 +76,8 @@ void add_dashes(Shapes& lines, const Eigen::Vector3d& a, const Eigen::Vector3d& 
 /// Dashes in an edge: as long as they are seen alike, and two at least.
 int dash_count(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Camera& camera,
                const Pen& pen) {
-  const double depth = (a - camera.position).dot(camera.forward());
-  const double length = (b - a).norm() * pen.pixels_per_metre_at_1m / std::max(depth, 1e-3);
+  const double depth = std::max((a - camera.position).dot(camera.forward()), 1e-3);
+  const double length = (b - a).norm() * pixels_per_metre(camera, pen.picture_height, depth);
   return std::clamp(static_cast<int>(std::lround(length / (3.6 * kOffWidth * pen.width))), 2, 12);
 }
 
@@ -83,8 +85,9 @@ int dash_count(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Camera&
 /// one blue surface: a line is a twelfth of a patch's size, as seen at the scene's middle.
 Pen for_patches(const Pen& pen, const SceneData& scene, const Camera& camera) {
   const double depth = (camera.focal - camera.position).norm();
-  const double patch = scene.result.patch_size * pen.pixels_per_metre_at_1m / depth;
-  return {pen.width * std::clamp(patch / 12 / pen.width, 0.5, 1.0), pen.pixels_per_metre_at_1m};
+  const double patch =
+      scene.result.patch_size * pixels_per_metre(camera, pen.picture_height, depth);
+  return {pen.width * std::clamp(patch / 12 / pen.width, 0.5, 1.0), pen.picture_height};
 }
 
 vtkSmartPointer<vtkActor> dot_actor(const std::vector<Eigen::Vector3d>& dots, double size) {
@@ -104,6 +107,26 @@ vtkSmartPointer<vtkActor> dot_actor(const std::vector<Eigen::Vector3d>& dots, do
   return actor;
 }
 
+std::vector<Eigen::Vector3d> lifted(const std::vector<Eigen::Vector3d>& corners,
+                                    const Eigen::Vector3d& camera, double distance) {
+  std::vector<Eigen::Vector3d> moved;
+  for (const Eigen::Vector3d& corner : corners)
+    moved.push_back(draw::lifted(corner, camera, distance));
+  return moved;
+}
+
+/// Hull `i` of the scene's planes, as a polygon.
+FlatPolygon hull(const SceneData& scene, vtkIdType i) {
+  FlatPolygon polygon;
+  polygon.source = static_cast<std::size_t>(i);
+  for (const vtkIdType id : corners(*scene.planes->GetPolys(), i))
+    polygon.corners.push_back(point(*scene.planes, id).cast<double>());
+  vtkCellData& columns = *scene.planes->GetCellData();
+  columns.GetArray("normal")->GetTuple(i, polygon.normal.data());
+  polygon.distance = columns.GetArray("distance")->GetTuple1(i);
+  return polygon;
+}
+
 }  // namespace
 
 Eigen::Vector3d lifted(const Eigen::Vector3d& p, const Eigen::Vector3d& camera, double distance) {
@@ -117,23 +140,25 @@ Actors plane_layer(const SceneData& scene, const SceneColors& colors, const Cuta
   vtkCellData& columns = *scene.planes->GetCellData();
   vtkDataArray& plane = *columns.GetArray("plane");
   vtkDataArray& rms = *columns.GetArray("rms");
+  std::vector<FlatPolygon> hulls;
+  std::vector<double> lifts(static_cast<std::size_t>(scene.planes->GetNumberOfCells()));
   Shapes fills, outlines;
   for (vtkIdType i = 0; i < scene.planes->GetNumberOfCells(); ++i) {
     const auto index = static_cast<std::int32_t>(plane.GetTuple1(i));
-    const auto ids = corners(*scene.planes->GetPolys(), i);
-    if (cut.hides(point(*scene.planes, ids[0]), index)) continue;
+    if (cut.hides(point(*scene.planes, corners(*scene.planes->GetPolys(), i)[0]), index)) continue;
     // Above the noise of the points on it, and their splats; the outline above the fill.
     const double lift = 2.5 * rms.GetTuple1(i) + 2 * scene.result.voxel_size;
-    std::vector<Eigen::Vector3d> fill, outline;
-    for (const vtkIdType id : ids) {
-      const Eigen::Vector3d p = point(*scene.planes, id).cast<double>();
-      fill.push_back(lifted(p, camera.position, lift));
-      outline.push_back(lifted(p, camera.position, 1.25 * lift));
-    }
+    lifts[static_cast<std::size_t>(i)] = lift;
+    hulls.push_back(hull(scene, i));
+    std::vector<Eigen::Vector3d> outline = lifted(hulls.back().corners, camera.eye(), 1.25 * lift);
     outline.push_back(outline.front());
-    const Pixel& color = colors.planes[static_cast<std::size_t>(index)];
-    fills.add(fill, color);
-    outlines.add(outline, darken(color, 0.45));
+    outlines.add(outline, darken(colors.planes[static_cast<std::size_t>(index)], 0.45));
+  }
+  // Ordered where they are, and then lifted along the lines of sight, which changes no order.
+  for (const FlatPolygon& piece : painters_order(std::move(hulls), camera.eye())) {
+    const auto index =
+        static_cast<std::size_t>(plane.GetTuple1(static_cast<vtkIdType>(piece.source)));
+    fills.add(lifted(piece.corners, camera.eye(), lifts[piece.source]), colors.planes[index]);
   }
   vtkNew<vtkPolyData> polygons;
   polygons->SetPoints(fills.points);
@@ -157,7 +182,7 @@ Actors graph_layer(const SceneData& scene, const Cutaway& cut, const Camera& cam
     const auto id = static_cast<vtkIdType>(i);
     const Eigen::Vector3f centroid = point(*scene.graph, id);
     hidden[i] = cut.hides(centroid, static_cast<std::int32_t>(plane.GetTuple1(id)));
-    places[i] = lifted(centroid.cast<double>(), camera.position, lift);
+    places[i] = lifted(centroid.cast<double>(), camera.eye(), lift);
     if (!hidden[i]) dots.push_back(places[i]);
   }
   vtkDataArray& on = *scene.graph->GetCellData()->GetArray("on");
@@ -170,8 +195,8 @@ Actors graph_layer(const SceneData& scene, const Cutaway& cut, const Camera& cam
       on_lines.add(std::array{places[a], places[b]}, kEdgeOn);
       continue;
     }
-    const Eigen::Vector3d from = lifted(places[a], camera.position, lift / 4);  // above ON edges
-    const Eigen::Vector3d to = lifted(places[b], camera.position, lift / 4);
+    const Eigen::Vector3d from = lifted(places[a], camera.eye(), lift / 4);  // above ON edges
+    const Eigen::Vector3d to = lifted(places[b], camera.eye(), lift / 4);
     add_dashes(off_lines, from, to, dash_count(from, to, camera, pen));
   }
   return {line_actor(on_lines, pen.width), dot_actor(dots, 2.6 * pen.width),

@@ -20,8 +20,8 @@ namespace planescope::draw {
 
 /// How lines are drawn.
 struct Pen {
-  double width = 1;                   ///< [pixel of the picture that is drawn] of a thin line
-  double pixels_per_metre_at_1m = 1;  ///< of the picture that is drawn
+  double width = 1;           ///< [pixel of the picture that is drawn] of a thin line
+  double picture_height = 1;  ///< [pixel] of the picture that is drawn
 };
 
 using Actors = std::vector<vtkSmartPointer<vtkActor>>;

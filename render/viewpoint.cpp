@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
 
 #include <Eigen/Geometry>
 
@@ -115,6 +116,11 @@ bool spans_scene(const std::vector<PatchView>& patches, std::int32_t index, cons
   return spanned == 2;
 }
 
+/// [m] Half the thickness of what lies in a plane.
+float band(const SceneData& scene, const SupportingPlane& plane) {
+  return static_cast<float>(std::max(3.0 * plane.rms, 2 * scene.result.voxel_size));
+}
+
 /// True if the plane with these patches stands between camera and scene.
 bool stands_between(const std::vector<PatchView>& patches, std::int32_t index, const Plane& plane,
                     const SceneFrame& frame, const Eigen::Vector3d& camera, double band) {
@@ -163,10 +169,29 @@ SceneFrame scene_frame(const SceneData& scene, const std::optional<Eigen::Vector
   return frame;
 }
 
-Camera Viewpoint::fit(const std::vector<Eigen::Vector3f>& points, double aspect,
-                      const Frame& frame) const {
+Camera Viewpoint::fit(const std::vector<Eigen::Vector3f>& points, double aspect, const Frame& frame,
+                      Projection projection) const {
+  if (projection == Projection::Parallel)
+    return fit_parallel(points, forward, up, kViewAngle, aspect, frame);
   if (position) return fit_from(points, *position, up, aspect, frame);
   return fit_along(points, forward, up, kViewAngle, aspect, frame);
+}
+
+Viewpoint turned(const Viewpoint& view, const SceneFrame& frame, std::optional<double> azimuth,
+                 std::optional<double> elevation) {
+  if (!azimuth && !elevation) return view;
+  constexpr double kDegree = std::numbers::pi / 180;
+  const Eigen::Vector3d towards = -view.forward;  // where the camera stands
+  const double height = std::asin(std::clamp(towards.dot(frame.up), -1.0, 1.0)) / kDegree;
+  const bool level_view = std::abs(height) < 89;
+  const double turn =
+      level_view ? std::atan2(towards.dot(frame.right()), towards.dot(frame.front)) / kDegree : 0;
+  const double a = azimuth.value_or(turn) * kDegree, e = elevation.value_or(height) * kDegree;
+  const Eigen::Vector3d flat = std::cos(a) * frame.front + std::sin(a) * frame.right();
+  const Eigen::Vector3d place = std::cos(e) * flat + std::sin(e) * frame.up;
+  const bool upright = std::abs(place.dot(frame.up)) < 0.9999;
+  const Eigen::Vector3d over = e > 0 ? Eigen::Vector3d(-flat) : flat;
+  return {upright ? frame.up : over, -place, {}};
 }
 
 Viewpoint choose_view(View view, const SceneData& scene, const SceneFrame& frame) {
@@ -200,29 +225,44 @@ Cutaway::Cutaway(const SceneData& scene, const SceneFrame& frame, const Eigen::V
     const double slope = std::abs(planes[k].plane.normal.cast<double>().dot(frame.up));
     if (slope > kUpright && slope < kLevel) continue;
     const auto index = static_cast<std::int32_t>(k);
-    const auto band =
-        static_cast<float>(std::max(3.0 * planes[k].rms, 2 * scene.result.voxel_size));
-    if (!stands_between(patches, index, planes[k].plane, frame, camera, band)) continue;
-    const auto [u, v] = plane_axes(planes[k].plane.normal.cast<double>());
-    constexpr float kFar = std::numeric_limits<float>::infinity();
-    Slab slab{index,
-              planes[k].plane,
-              u.cast<float>(),
-              v.cast<float>(),
-              Eigen::Vector2f::Constant(kFar),
-              Eigen::Vector2f::Constant(-kFar),
-              band};
-    for (const PatchView& patch : patches) {
-      if (patch.plane != index) continue;
-      const Eigen::Vector2f p(patch.centroid.dot(u), patch.centroid.dot(v));
-      slab.low = slab.low.cwiseMin(p);
-      slab.high = slab.high.cwiseMax(p);
-    }
-    const auto margin = static_cast<float>(scene.result.patch_size);
-    slab.low.array() -= margin;
-    slab.high.array() += margin;
-    slabs_.push_back(slab);
+    if (!stands_between(patches, index, planes[k].plane, frame, camera, band(scene, planes[k])))
+      continue;
+    add(scene, index);
   }
+}
+
+Cutaway::Cutaway(const SceneData& scene, const std::vector<std::int32_t>& planes) {
+  const auto count = static_cast<std::int32_t>(scene.result.planes.size());
+  for (const std::int32_t plane : planes) {
+    if (plane < 0 || plane >= count)
+      throw Error(Error::Kind::Usage, "cutaway: there is no plane " + std::to_string(plane) +
+                                          "; the scene has " + std::to_string(count) +
+                                          ", numbered from 0 in result.json");
+    add(scene, plane);
+  }
+}
+
+void Cutaway::add(const SceneData& scene, std::int32_t index) {
+  const SupportingPlane& plane = scene.result.planes[static_cast<std::size_t>(index)];
+  const auto [u, v] = plane_axes(plane.plane.normal.cast<double>());
+  constexpr float kFar = std::numeric_limits<float>::infinity();
+  Slab slab{index,
+            plane.plane,
+            u.cast<float>(),
+            v.cast<float>(),
+            Eigen::Vector2f::Constant(kFar),
+            Eigen::Vector2f::Constant(-kFar),
+            band(scene, plane)};
+  for (const PatchView& patch : patch_views(scene)) {
+    if (patch.plane != index) continue;
+    const Eigen::Vector2f p(patch.centroid.dot(u), patch.centroid.dot(v));
+    slab.low = slab.low.cwiseMin(p);
+    slab.high = slab.high.cwiseMax(p);
+  }
+  const auto margin = static_cast<float>(scene.result.patch_size);
+  slab.low.array() -= margin;
+  slab.high.array() += margin;
+  slabs_.push_back(slab);
 }
 
 bool Cutaway::hides(const Eigen::Vector3f& position, std::int32_t plane) const {

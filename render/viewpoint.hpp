@@ -27,15 +27,23 @@ struct SceneFrame {
 /// stand straight in the picture.
 SceneFrame scene_frame(const SceneData& scene, const std::optional<Eigen::Vector3f>& up);
 
+enum class Projection { Perspective, Parallel };
+
 /// A view, settled: either from a place, or along a direction.
 struct Viewpoint {
   Eigen::Vector3d up;                       ///< of the picture
   Eigen::Vector3d forward;                  ///< direction of the view
   std::optional<Eigen::Vector3d> position;  ///< [m] of the sensor; else as near as the scene fits
 
-  /// The camera for points that shall fill the frame.
-  Camera fit(const std::vector<Eigen::Vector3f>& points, double aspect, const Frame& frame) const;
+  /// The camera for points that shall fill the frame; a parallel projection if `parallel`.
+  Camera fit(const std::vector<Eigen::Vector3f>& points, double aspect, const Frame& frame,
+             Projection projection = Projection::Perspective) const;
 };
+
+/// The view from where `azimuth` and `elevation` [deg] say (CameraOptions); what is not given stays
+/// as it is in `view`. From straight above and below, up is what lies behind the scene's middle.
+Viewpoint turned(const Viewpoint& view, const SceneFrame& frame, std::optional<double> azimuth,
+                 std::optional<double> elevation);
 
 /// Settles a view. Auto: Sensor for organised clouds, else Iso. Iso looks down by 35 degrees from
 /// that corner of the four from which most patch area faces the camera. Sensor needs one: the
@@ -55,6 +63,10 @@ class Cutaway {
   Cutaway() = default;
   Cutaway(const SceneData& scene, const SceneFrame& frame, const Eigen::Vector3d& camera);
 
+  /// These planes instead, whatever stands where.
+  /// \throws Error{Kind::Usage} the scene has no such plane.
+  Cutaway(const SceneData& scene, const std::vector<std::int32_t>& planes);
+
   bool any() const { return !slabs_.empty(); }
   /// True if what lies here, on this supporting plane or on none, is left out.
   bool hides(const Eigen::Vector3f& position, std::int32_t plane) const;
@@ -67,6 +79,8 @@ class Cutaway {
     Eigen::Vector2f low, high;  // extent of its patches along them
     float band = 0;             // [m] half thickness
   };
+  void add(const SceneData& scene, std::int32_t plane);
+
   std::vector<Slab> slabs_;
 };
 

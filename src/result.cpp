@@ -41,6 +41,8 @@ Result make_result(const Segmentation& scene, const PointCloud& cloud, const Inp
   result.rule_counts.assign(counts.begin(), counts.end());
   result.patch_count = scene.graph.patches.size();
   result.input_name = input.name;
+  result.input_hash = input.hash;
+  result.options_hash = options_hash(scene.options);
   result.voxel_size = scene.options.patches.voxel_size;
   result.patch_size = scene.options.patches.patch_size;
   return result;

@@ -36,7 +36,11 @@ std::string hex(std::uint64_t state) {
   return text;
 }
 
+constexpr std::uint64_t kBasis = 0xcbf29ce484222325u;  // FNV's offset basis
+
 }  // namespace
+
+std::string hash_text(std::string_view text) { return hex(add(kBasis, text)); }
 
 std::string hash_file(const std::filesystem::path& file) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(file.c_str(), "rb"),
@@ -45,7 +49,7 @@ std::string hash_file(const std::filesystem::path& file) {
     throw Error(Error::Kind::Input, file.string() + ": cannot be read: " + std::strerror(errno));
   };
   if (!in) fail();
-  std::uint64_t state = 0xcbf29ce484222325u;  // FNV's offset basis
+  std::uint64_t state = kBasis;
   std::vector<char> piece(std::size_t{1} << 20);
   while (const std::size_t got = std::fread(piece.data(), 1, piece.size(), in.get())) {
     state = add(state, {piece.data(), got});

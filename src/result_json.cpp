@@ -146,6 +146,10 @@ std::string lay_out(const Json& value, std::size_t depth = 0) {
 
 }  // namespace
 
+std::string options_hash(const Options& options) {
+  return hash_text(nlohmann::json(options_json(options)).dump());  // which sorts the keys
+}
+
 std::string result_json(const Segmentation& scene, const PointCloud& cloud, const InputInfo& input,
                         const std::string& points_hash) {
   const Json all = {{"schema", kResultSchema},

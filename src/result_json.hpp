@@ -14,4 +14,7 @@ namespace planescope {
 std::string result_json(const Segmentation& scene, const PointCloud& cloud, const InputInfo& input,
                         const std::string& points_hash);
 
+/// Result::options_hash.
+std::string options_hash(const Options& options);
+
 }  // namespace planescope

@@ -83,6 +83,7 @@ class Node {
     return v;
   }
 
+  std::string dump() const { return json_.dump(-1, ' ', false, Json::error_handler_t::replace); }
   bool null() const { return json_.is_null(); }
   bool flag() const {
     if (!json_.is_boolean()) fail("true or false");
@@ -112,6 +113,7 @@ Json parse(const fs::path& file) {
 void read_input(const Node& input, Result& result) {
   PointCloud& cloud = result.cloud;
   result.input_name = input["name"].text();
+  result.input_hash = input["hash"].text();
   result.has_colors = input["has_color"].flag();
   cloud.width = input["width"].count();
   cloud.height = input["height"].count();
@@ -219,6 +221,7 @@ Result load_result(const fs::path& folder) {
   const Json json = parse(json_file);
   const Node root(json, json_file, "");
   Result result;
+  result.options_hash = hash_text(root["options"].dump());
   read_json(root, result);
   if (hash_file(points_file) != root["points_hash"].text()) {
     throw Error(Error::Kind::Input, points_file.string() +

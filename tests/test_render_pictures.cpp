@@ -130,7 +130,7 @@ TEST(Pictures, are_the_same_bytes_twice) {
   const TemporaryFolder folder;
   for (const char* name : {"a.png", "b.png"}) {
     RenderOptions options = small(Layer::Segments | Layer::Planes | Layer::Graph);
-    options.title = "Twice";
+    options.annotation.title = "Twice";
     render(toy.scene, toy.cloud, options, folder / name);
   }
   EXPECT_EQ(testing::read_bytes(folder / "a.png"), testing::read_bytes(folder / "b.png"));
@@ -203,7 +203,7 @@ TEST(Pictures, refuse_to_be_uniform) {
   const TemporaryFolder folder;
   RenderOptions options = small(Layer::Scene);
   options.eye_dome_lighting = false;
-  options.title = "Words do not count";
+  options.annotation.title = "Words do not count";
   EXPECT_EQ(kind_of([&] { render(toy.scene, toy.cloud, options, folder / "a.png"); }),
             Error::Kind::Rendering);
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
@@ -215,7 +215,7 @@ TEST(Pictures, take_all_sizes_and_refuse_what_is_none) {
     RenderOptions options = small(Layer::Segments);
     options.size = size;
     options.supersample = 4;  // too much for the widest: then it is less
-    options.title = "A title that is longer than the smallest pictures are wide";
+    options.annotation.title = "A title that is longer than the smallest pictures are wide";
     const Image image = picture(toy, options);
     EXPECT_EQ(image.width, size[0]);
     EXPECT_EQ(image.height, size[1]);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "planescope/cloud.hpp"
@@ -26,6 +27,9 @@ struct InputInfo {
 /// apart, not for security. \throws Error{Kind::Input} the file cannot be read.
 std::string hash_file(const std::filesystem::path& file);
 
+/// The same hash of a text.
+std::string hash_text(std::string_view text);
+
 /// Writes result.json and points.pcd (`x y z rgb label plane patch`, the input's points in its
 /// order) into `folder`, which is made where it is missing. Each file appears whole or not at all.
 /// \throws Error{Kind::Input} the folder cannot be made or written.
@@ -45,6 +49,8 @@ struct Result {
   std::vector<std::size_t> rule_counts;  ///< edges by rule, indexed by EdgeRule
   std::size_t patch_count = 0;
   std::string input_name;
+  std::string input_hash;    ///< InputInfo::hash
+  std::string options_hash;  ///< hash_text() of the options as result.json has them, keys sorted
   double voxel_size = 0, patch_size = 0;  ///< [m]
 };
 

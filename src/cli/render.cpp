@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 the planescope authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
-#include "cli/values.hpp"
+#include "cli/picture_arguments.hpp"
 #include "planescope/error.hpp"
 #include "planescope/render.hpp"
 
@@ -16,36 +17,27 @@ namespace {
 
 struct Arguments {
   Console console;
-  CameraArguments camera;
-  std::filesystem::path folder, png;
-  std::string layers, background, title;
-  int supersample = RenderOptions{}.supersample;
-  double point_size = 0;
-  bool no_edl = false, no_cull = false;
+  PictureArguments picture;
+  std::filesystem::path folder, png, save_camera;
+  int orbit = 0;
 };
-
-RenderOptions drawing(const Arguments& a) {
-  RenderOptions options;
-  a.camera.apply(options);
-  if (!a.layers.empty()) options.layers = parse_layers("--layers", a.layers);
-  if (!a.background.empty()) options.background = parse_color("--background", a.background);
-  options.supersample = a.supersample;
-  options.point_size = a.point_size;
-  options.eye_dome_lighting = !a.no_edl;
-  options.cull_front = !a.no_cull;
-  options.title = a.title;
-  return options;
-}
 
 void run(const Arguments& a) {
   if (a.png.extension() != ".png") {
     throw Error(Error::Kind::Usage,
                 "-o is `" + a.png.string() + "`; it takes a name that ends in .png");
   }
-  render(a.folder, drawing(a), a.png);
+  nlohmann::ordered_json outcome = {{"picture", a.png.string()}};
+  if (a.orbit > 0) {
+    render_orbit(a.folder, a.picture.options(), a.orbit, a.png);
+    outcome["frames"] = a.orbit;
+  } else {
+    const Camera camera = render(a.folder, a.picture.options(), a.png);
+    if (!a.save_camera.empty()) write_camera(camera, a.save_camera);
+    outcome["camera"] = nlohmann::ordered_json::parse(camera_json(camera));
+  }
   a.console.say(a.png.string());
   if (a.console.json) {
-    const nlohmann::json outcome = {{"picture", a.png.string()}};
     std::printf("%s\n",
                 outcome.dump(1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
   }
@@ -59,24 +51,15 @@ Command add_render(CLI::App& program) {
       program.add_subcommand("render", "Draw a stored result, nothing computed again");
   command->add_option("DIR", a->folder, "Result folder of `planescope segment`")->required();
   command->add_option("-o,--output", a->png, "Picture")->required()->type_name("PNG");
+  a->picture.declare(*command);
+  auto* save = command->add_option("--save-camera", a->save_camera, "Keep the camera in this file");
+  save->type_name("JSON");
   command
-      ->add_option("--layers", a->layers,
-                   "scene, patches, segments, planes, graph, joined by commas (segments)")
-      ->type_name("LAYERS");
-  a->camera.declare(*command);
-  command->add_option("--background", a->background, "white | black | R,G,B from 0 to 1 (white)")
-      ->type_name("COLOR");
-  command->add_option("--supersample", a->supersample, "Antialiasing: drawn this many times larger")
-      ->check(CLI::Range(1, 4))
-      ->capture_default_str();
-  command
-      ->add_option("--point-size", a->point_size,
-                   "Size of a point in pixels; 0: from their spacing, so that surfaces close")
-      ->check(CLI::Range(0.0, 100.0));
-  command->add_option("--title", a->title, "Text at the top left")->type_name("TEXT");
-  command->add_flag("--no-edl", a->no_edl, "No eye-dome lighting");
-  command->add_flag("--no-cull", a->no_cull,
-                    "Keep planes that stand between the camera and the room");
+      ->add_option("--orbit", a->orbit,
+                   "Once around the scene in this many frames: an animated PNG of ten seconds")
+      ->check(CLI::Range(2, 360))
+      ->excludes(save)
+      ->type_name("FRAMES");
   a->console.declare(*command);
   return {command, [a] { run(*a); }};
 }

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 the planescope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "marks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "palette.hpp"
+
+namespace planescope::draw {
+namespace {
+
+std::string short_number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+std::string area_text(double square_metres) { return short_number(square_metres) + " m\u00b2"; }
+
+LegendEntry box(const Pixel& color, const std::string& text) {
+  return {LegendEntry::Swatch::Box, color, text};
+}
+
+std::vector<LegendEntry> segment_legend(const SceneData& scene, const SceneColors& colors) {
+  std::vector<LegendEntry> legend;
+  for (const Segment& segment : scene.result.segments)
+    legend.push_back(box(colors.segments[segment.label - 1],
+                         std::to_string(segment.label) + ": " + area_text(segment.area)));
+  return legend;
+}
+
+std::vector<LegendEntry> plane_legend(const SceneData& scene, const SceneColors& colors) {
+  std::vector<LegendEntry> legend;
+  for (std::size_t i = 0; i < scene.result.planes.size(); ++i)
+    legend.push_back(box(colors.planes[i], "plane " + std::to_string(i) + ": " +
+                                               area_text(scene.result.planes[i].area)));
+  return legend;
+}
+
+/// Colours of a quantity at its ends and in the middle.
+template <typename Map>
+std::vector<LegendEntry> ramp_legend(const std::array<float, 2>& range, const Map& map,
+                                     const std::string& unit) {
+  std::vector<LegendEntry> legend;
+  for (const double t : {0.0, 0.5, 1.0}) {
+    const double value = range[0] + t * (range[1] - range[0]);
+    legend.push_back(box(map(t), short_number(value) + unit));
+  }
+  return legend;
+}
+
+}  // namespace
+
+std::string length_text(double metres) {
+  if (metres >= 0.995) return short_number(metres) + " m";
+  if (metres >= 0.00995) return short_number(metres * 100) + " cm";
+  return short_number(metres * 1000) + " mm";
+}
+
+std::vector<LegendEntry> color_legend(const SceneData& scene, const SceneColors& colors,
+                                      const PointColors& way) {
+  switch (way.by) {
+    case ColorBy::Segment:
+      return segment_legend(scene, colors);
+    case ColorBy::Plane:
+      return plane_legend(scene, colors);
+    case ColorBy::Curvature:
+      return ramp_legend(curvature_range(scene), ramp_color, "");
+    case ColorBy::Height:
+      return ramp_legend(colors.heights, height_color, " m");
+    case ColorBy::Normal:
+      return {box(direction_color({1, 0, 0}), "x"), box(direction_color({0, 1, 0}), "y"),
+              box(direction_color({0, 0, 1}), "z")};
+    case ColorBy::Layers:
+      return way.segments ? segment_legend(scene, colors) : std::vector<LegendEntry>{};
+    case ColorBy::Patch:
+    case ColorBy::Truth:
+    case ColorBy::Rgb:
+      break;
+  }
+  return {};
+}
+
+std::vector<Mark> segment_marks(const SceneData& scene, const Cutaway& cut, const Camera& camera,
+                                const Layout& layout) {
+  const double aspect = static_cast<double>(layout.width) / layout.height;
+  std::vector<Mark> marks;
+  for (const Segment& segment : scene.result.segments) {
+    if (cut.hides(segment.centroid, segment.plane)) continue;
+    const Eigen::Vector3d seen = project(camera, aspect, segment.centroid.cast<double>());
+    if (!(seen.z() > 0)) continue;
+    const double side = std::sqrt(std::max(segment.area, 0.0F));
+    const double pixels = side * pixels_per_metre(camera, layout.height, seen.z());
+    if (pixels < 1.2 * layout.font) continue;
+    marks.push_back({std::to_string(segment.label), {seen.x(), seen.y()}});
+  }
+  return marks;
+}
+
+ScaleBar scale_bar(const Camera& camera, const Layout& layout) {
+  const double depth = (camera.focal - camera.position).norm();
+  const double metre = pixels_per_metre(camera, layout.height, depth);
+  const double most = 0.2 * layout.width / metre;
+  const double power = std::pow(10.0, std::floor(std::log10(most)));
+  const double length = most >= 5 * power ? 5 * power : most >= 2 * power ? 2 * power : power;
+  return {length * metre / layout.width,
+          length_text(length) + (camera.parallel() ? "" : " mid-scene")};
+}
+
+std::vector<AxisMark> axis_marks(const Camera& camera) {
+  // Red, green and blue as everywhere, in hues that a colour-blind reader tells apart; and named.
+  static constexpr std::array<Pixel, 3> kColors = {Pixel{213, 70, 20}, {0, 138, 96}, {30, 90, 190}};
+  std::vector<std::pair<double, AxisMark>> axes;
+  for (int i = 0; i < 3; ++i) {
+    const Eigen::Vector3d axis = Eigen::Vector3d::Unit(i);
+    axes.push_back({axis.dot(camera.forward()),
+                    {{axis.dot(camera.right()), axis.dot(camera.up)},
+                     kColors[static_cast<std::size_t>(i)],
+                     std::string(1, static_cast<char>('x' + i))}});
+  }
+  std::stable_sort(axes.begin(), axes.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<AxisMark> marks;
+  for (auto& [away, mark] : axes) marks.push_back(std::move(mark));
+  return marks;
+}
+
+}  // namespace planescope::draw
