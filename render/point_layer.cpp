@@ -46,6 +46,11 @@ std::vector<float> patch_spacings(const SceneData& scene) {
   return spacings;
 }
 
+/// [m] What stands in for it where the method has no patches.
+float cloud_spacing(const PointCloud& cloud) {
+  return static_cast<float>(measure_scale(cloud).spacing);
+}
+
 /// How bright each patch is: 1 where it faces the lamp, less where it does not.
 std::vector<float> patch_tones(const SceneData& scene, const Eigen::Vector3d& light) {
   constexpr double kShade = 0.24;
@@ -142,7 +147,7 @@ void PointLayer::add_points(const Cutaway& cut) {
 
 vtkSmartPointer<vtkFloatArray> PointLayer::splats() const {
   const std::vector<float> spacing = patch_spacings(scene_);
-  const float usual = spacing.empty() ? 0.01F : median(spacing);
+  const float usual = spacing.empty() ? cloud_spacing(scene_.result.cloud) : median(spacing);
   return make_column<vtkFloatArray>("splat", points_.size(), [&](std::size_t i) {
     const std::int32_t patch = scene_.result.point_patch[points_[i]];
     return kOverlap * (patch == kNone ? usual : spacing[static_cast<std::size_t>(patch)]);

@@ -27,6 +27,7 @@ void write_points(const Segmentation& scene, const PointCloud& cloud,
 
 Result make_result(const Segmentation& scene, const PointCloud& cloud, const InputInfo& input) {
   Result result;
+  result.method = scene.method;
   result.cloud = cloud;
   result.cloud.normals.clear();  // the folder does not keep them, and the two views are the same
   result.cloud.labels.clear();
