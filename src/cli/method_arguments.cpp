@@ -54,19 +54,18 @@ std::vector<std::string> parse_methods(const std::string& option, const std::str
 #ifdef PLANESCOPE_PCL_VERSION
 
 void MethodArguments::declare(CLI::App& command) {
-  const std::string group = "Options of the peers";
   command
       .add_option("--peer-scale", scale_,
                   "Lengths of the peers: ours (our voxels, patches and sigma) | example (PCL's "
                   "example programs: 7.5 mm, 3 cm, 1 cm)")
       ->type_name("NAME")
       ->capture_default_str()
-      ->group(group);
+      ->group(kGroup);
   for (const PeerOptionInfo& info : peer_option_table()) {
     Given& given = given_.emplace_back(Given{info.name, {}});
     command.add_option("--" + info.name, given.text, info.meaning)
         ->type_name(info.unit == "1" ? "NUMBER" : info.unit)
-        ->group(group)
+        ->group(kGroup)
         ->each([&given](const std::string&) { given.seen = true; });
   }
 }

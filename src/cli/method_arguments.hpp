@@ -26,6 +26,8 @@ std::vector<std::string> parse_methods(const std::string& option, const std::str
 /// The options of the peers, and the call of a method by name.
 class MethodArguments {
  public:
+  static constexpr const char* kGroup = "Options of the peers";
+
   /// Adds --peer-scale, and every option of peer_option_table() by its name.
   void declare(CLI::App& command);
 
