@@ -146,11 +146,16 @@ int Drawing::supersample(const std::array<int, 2>& size) const {
   return scale;
 }
 
-void Drawing::show(Layer layers, const Camera& camera, const Layout& layout, int scale) {
+void Drawing::color_points(Layer layers) {
+  if (given_colors_ != nullptr) return points_->show(*given_colors_);
   PointColors colors{has(layers, Layer::Scene), has(layers, Layer::Patches),
                      has(layers, Layer::Segments), false};
   if (!colors.scene && !colors.patches && !colors.segments) colors = {true, false, false, true};
   points_->show(colors);
+}
+
+void Drawing::show(Layer layers, const Camera& camera, const Layout& layout, int scale) {
+  color_points(layers);
   const double tangent = std::tan(camera.view_angle * std::numbers::pi / 360);
   const double side = std::sqrt(static_cast<double>(layout.width) * layout.height);
   const double focal = layout.height * scale / (2 * tangent);
@@ -185,6 +190,13 @@ Image Drawing::draw(Layer layers, const std::array<int, 2>& size, Annotation ann
                 "the picture would be one colour only, so it is not written; is the scene within "
                 "view, and another colour than the background?");
   }
+  return image;
+}
+
+Image Drawing::draw_colored(const std::vector<Pixel>& colors, const std::array<int, 2>& size) {
+  given_colors_ = &colors;
+  Image image = draw(Layer::Segments, size, {});
+  given_colors_ = nullptr;
   return image;
 }
 

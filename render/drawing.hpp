@@ -36,11 +36,16 @@ class Drawing {
   /// \throws Error{Kind::Rendering} it would be uniform where the scene is, or VTK fails.
   Image draw(Layer layers, const std::array<int, 2>& size, Annotation annotation);
 
+  /// A picture of the points in given colours, one a point, shaded as segments are; no words.
+  /// \throws as draw().
+  Image draw_colored(const std::vector<Pixel>& colors, const std::array<int, 2>& size);
+
   /// The camera of a picture of this size.
   Camera camera(const Layout& layout) const;
 
  private:
   void show(Layer layers, const Camera& camera, const Layout& layout, int scale);
+  void color_points(Layer layers);
   int supersample(const std::array<int, 2>& size) const;
 
   const SceneData& scene_;
@@ -54,6 +59,7 @@ class Drawing {
   vtkSmartPointer<vtkRenderer> points_renderer_, shapes_renderer_;
   vtkSmartPointer<DepthShading> shading_;  // null without eye-dome lighting
   std::unique_ptr<PointLayer> points_;
+  const std::vector<Pixel>* given_colors_ = nullptr;  // while draw_colored() runs
 };
 
 /// Checks what Drawing needs of the options. \throws Error{Kind::Usage}

@@ -205,6 +205,24 @@ void PointLayer::show(const PointColors& way) {
   mapper_->SelectColorArray(name.c_str());
 }
 
+void PointLayer::show(const std::vector<Pixel>& colors) {
+  constexpr const char* kName = "color-given";
+  vtkNew<vtkUnsignedCharArray> array;
+  array->SetName(kName);
+  array->SetNumberOfComponents(4);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(points_.size()));
+  unsigned char* out = array->GetPointer(0);
+  for (const std::uint32_t point : points_) {
+    const std::int32_t patch = scene_.result.point_patch[point];
+    const float tone = patch == kNone ? 1.0F : tones_[static_cast<std::size_t>(patch)];
+    for (const std::uint8_t channel : colors[point])
+      *out++ = static_cast<unsigned char>(static_cast<float>(channel) * tone);
+    *out++ = 255;
+  }
+  data_->GetPointData()->AddArray(array);  // in place of the one before
+  mapper_->SelectColorArray(kName);
+}
+
 void PointLayer::scale(const PointScale& scale) { set_point_scale(*actor_, scale); }
 
 void use_splats(vtkActor& actor, vtkPolyDataMapper& mapper, const char* splat) {
