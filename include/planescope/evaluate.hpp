@@ -57,7 +57,7 @@ struct TruthPolicy {
   };
   std::uint32_t divide = 1;           ///< regions are label / divide: merge_truth()
   std::uint32_t from = 0;             ///< only labels from here up count
-  std::vector<std::uint32_t> ignore;  ///< labels that do not count, besides 0
+  std::vector<std::uint32_t> ignore = {};  ///< labels that do not count, besides 0
   Unlabelled unlabelled = Unlabelled::Missed;
 };
 

@@ -2,7 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "batch/run_batch.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <cstring>
 #include <deque>
 #include <fstream>
@@ -161,6 +166,33 @@ class Job {
   std::unique_ptr<ChildProcess> process_;
 };
 
+/// Two batches in one folder would take each other's files away. Shards share a folder: each has a
+/// lock of its own. The system frees it however the process ends.
+class FolderLock {
+ public:
+  FolderLock(const fs::path& folder, const Shard& shard)
+      : file_(folder / ("shard-" + std::to_string(shard.index) + "-of-" +
+                        std::to_string(shard.count) + ".lock")),
+        descriptor_(::open(file_.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644)) {
+    if (descriptor_ >= 0 && ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
+    const int why = errno;
+    if (descriptor_ >= 0) ::close(descriptor_);
+    throw Error(Error::Kind::Input,
+                folder.string() + (why == EWOULDBLOCK
+                                       ? ": another batch is at work here; wait for it, or name "
+                                         "another folder with -o"
+                                       : std::string(": cannot be written: ") + std::strerror(why) +
+                                             "; name another with -o"));
+  }
+  ~FolderLock() { ::close(descriptor_); }  // the file stays: who removed it could remove another's
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  fs::path file_;
+  int descriptor_;
+};
+
 using Jobs = std::deque<std::unique_ptr<Job>>;
 
 Jobs jobs_of(const BatchPlan& plan, const BatchRun& run) {
@@ -182,6 +214,7 @@ double BatchState::seconds_left() const {
 
 BatchState run_batch(const BatchPlan& plan, const BatchRun& run, const BatchProgress& progress) {
   fs::create_directories(run.folder);
+  const FolderLock lock(run.folder, run.shard);
   write_plan(plan, run.folder);
   Jobs waiting = jobs_of(plan, run), running;
   BatchState state;
