@@ -134,7 +134,7 @@ int Drawing::supersample(const std::array<int, 2>& size) const {
 }
 
 void Drawing::show(Layer layers, const PointColors& colors, const Layout& layout, int scale) {
-  points_->show(colors);
+  given_colors_ != nullptr ? points_->show(*given_colors_) : points_->show(colors);
   const double side = std::sqrt(static_cast<double>(layout.width) * layout.height);
   const double height = static_cast<double>(layout.height) * scale;
   points_->scale({pixels_per_metre(eye_, height, 1), options_.point_size * scale,
@@ -208,6 +208,13 @@ Image Drawing::draw(Layer layers, const std::array<int, 2>& size, Annotation ann
                 "the picture would be one colour only, so it is not written; is the scene within "
                 "view, and another colour than the background?");
   }
+  return image;
+}
+
+Image Drawing::draw_colored(const std::vector<Pixel>& colors, const std::array<int, 2>& size) {
+  given_colors_ = &colors;
+  Image image = draw(Layer::Segments, size, {});
+  given_colors_ = nullptr;
   return image;
 }
 

@@ -39,6 +39,10 @@ class Drawing {
   Image draw(Layer layers, const std::array<int, 2>& size, Annotation annotation,
              ColorBy by = ColorBy::Layers);
 
+  /// A picture of the points in given colours, one a point, shaded as segments are; no words.
+  /// \throws as draw().
+  Image draw_colored(const std::vector<Pixel>& colors, const std::array<int, 2>& size);
+
   /// The camera of the picture that was drawn last.
   const Camera& camera() const { return eye_; }
   const Shot& shot() const { return shot_; }
@@ -67,6 +71,7 @@ class Drawing {
   std::unique_ptr<PointLayer> points_;
   Actors shapes_;
   Camera eye_;
+  const std::vector<Pixel>* given_colors_ = nullptr;  // while draw_colored() runs
 };
 
 }  // namespace planescope::draw

@@ -47,10 +47,14 @@ std::vector<Panel> overview_panels(const SceneData& scene) {
     return Panel{layers, describe(scene, layers, title)};
   };
   const std::size_t edges = static_cast<std::size_t>(scene.graph->GetNumberOfCells());
+  // A peer has no 0 of what it cannot have.
+  const auto count = [&](bool has, std::size_t number) {
+    return has ? grouped(number) : "none, " + result.method.name + " has no such thing";
+  };
   return {panel(Layer::Scene, "Scene: " + grouped(finite_points(scene)) + " points"),
           panel(Layer::Segments, "Segments: " + grouped(result.segments.size())),
-          panel(Layer::Planes, "Planes: " + grouped(result.planes.size())),
-          panel(Layer::Graph, "Edges: " + grouped(edges))};
+          panel(Layer::Planes, "Planes: " + count(result.method.has_planes, result.planes.size())),
+          panel(Layer::Graph, "Edges: " + count(result.method.has_graph, edges))};
 }
 
 namespace {

@@ -220,13 +220,11 @@ std::pair<Pixel, bool> PointPainter::single(std::size_t point, ColorBy by) const
 }
 
 Pixel PointPainter::averaged(std::size_t point, const PointColors& way) const {
-  const std::int32_t patch = scene_.result.point_patch[point];
-  const float tone = patch == kNone ? 1.0F : tones_[static_cast<std::size_t>(patch)];
   std::array<float, 3> sum{};
   float ways = 0;
   const auto add = [&](ColorBy by) {
     const auto [pixel, lit] = single(point, by);
-    for (std::size_t c = 0; c < 3; ++c) sum[c] += pixel[c] * (lit ? tone : 1.0F);
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += pixel[c] * (lit ? tone(point) : 1.0F);
     ways += 1;
   };
   if (way.by != ColorBy::Layers) add(way.by);
@@ -242,10 +240,8 @@ Pixel PointPainter::averaged(std::size_t point, const PointColors& way) const {
 Pixel PointPainter::operator()(std::size_t point, const PointColors& way) const {
   const Pixel mean = averaged(point, way);
   if (!way.faded) return mean;
-  const std::int32_t patch = scene_.result.point_patch[point];
-  const float tone = patch == kNone ? 1.0F : tones_[static_cast<std::size_t>(patch)];
   const auto grey = static_cast<std::uint8_t>(luma(mean));
-  const auto faded = static_cast<std::uint8_t>(lighten({grey, grey, grey}, 0.78)[0] * tone);
+  const auto faded = static_cast<std::uint8_t>(lighten({grey, grey, grey}, 0.78)[0] * tone(point));
   return {faded, faded, faded};
 }
 

@@ -68,6 +68,12 @@ class PointPainter {
 
   Pixel operator()(std::size_t point, const PointColors& way) const;
 
+  /// How bright the lamp makes the point's patch, in (0, 1].
+  float tone(std::size_t point) const {
+    const std::int32_t patch = scene_.result.point_patch[point];
+    return patch == kNone ? 1.0F : tones_[static_cast<std::size_t>(patch)];
+  }
+
  private:
   Pixel scene_color(std::size_t point) const;
   Pixel height(std::size_t point) const;

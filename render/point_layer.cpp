@@ -46,6 +46,11 @@ std::vector<float> patch_spacings(const SceneData& scene) {
   return spacings;
 }
 
+/// [m] What stands in for it where the method has no patches.
+float cloud_spacing(const PointCloud& cloud) {
+  return static_cast<float>(measure_scale(cloud).spacing);
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> visible_points(const SceneData& scene, const Cutaway& cut) {
@@ -95,7 +100,7 @@ void PointLayer::add_points() {
 
 vtkSmartPointer<vtkFloatArray> PointLayer::splats() const {
   const std::vector<float> spacing = patch_spacings(scene_);
-  const float usual = spacing.empty() ? 0.01F : median(spacing);
+  const float usual = spacing.empty() ? cloud_spacing(scene_.result.cloud) : median(spacing);
   return make_column<vtkFloatArray>("splat", points_.size(), [&](std::size_t i) {
     const std::int32_t patch = scene_.result.point_patch[points_[i]];
     return kOverlap * (patch == kNone ? usual : spacing[static_cast<std::size_t>(patch)]);
@@ -118,6 +123,23 @@ void PointLayer::show(const PointColors& way) {
     data_->GetPointData()->AddArray(array);
   }
   mapper_->SelectColorArray(name.c_str());
+}
+
+void PointLayer::show(const std::vector<Pixel>& colors) {
+  constexpr const char* kName = "color-given";
+  vtkNew<vtkUnsignedCharArray> array;
+  array->SetName(kName);
+  array->SetNumberOfComponents(4);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(points_.size()));
+  unsigned char* out = array->GetPointer(0);
+  for (const std::uint32_t point : points_) {
+    const float tone = painter_.tone(point);
+    for (const std::uint8_t channel : colors[point])
+      *out++ = static_cast<unsigned char>(static_cast<float>(channel) * tone);
+    *out++ = 255;
+  }
+  data_->GetPointData()->AddArray(array);  // in place of the one before
+  mapper_->SelectColorArray(kName);
 }
 
 void PointLayer::scale(const PointScale& scale) { set_point_scale(*actor_, scale); }

@@ -38,6 +38,8 @@ class PointLayer {
   vtkActor* actor() { return actor_; }
   /// Colours the points this way from now on.
   void show(const PointColors& colors);
+  /// Gives them colours from elsewhere, one a point of the cloud, toned as segments are.
+  void show(const std::vector<Pixel>& colors);
   void scale(const PointScale& scale);
 
  private:

@@ -27,6 +27,7 @@ void write_points(const Segmentation& scene, const PointCloud& cloud,
 
 Result make_result(const Segmentation& scene, const PointCloud& cloud, const InputInfo& input) {
   Result result;
+  result.method = scene.method;
   result.cloud = cloud;
   result.cloud.normals.clear();  // the folder does not keep them, and the two views are the same
   result.cloud.labels.clear();
@@ -42,7 +43,7 @@ Result make_result(const Segmentation& scene, const PointCloud& cloud, const Inp
   result.patch_count = scene.graph.patches.size();
   result.input_name = input.name;
   result.input_hash = input.hash;
-  result.options_hash = options_hash(scene.options);
+  result.options_hash = options_hash(scene.options, scene.method);
   result.voxel_size = scene.options.patches.voxel_size;
   result.patch_size = scene.options.patches.patch_size;
   return result;

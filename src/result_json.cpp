@@ -44,9 +44,21 @@ Json input_json(const PointCloud& cloud, const InputInfo& input) {
           {"has_color", cloud.has_colors()}};
 }
 
-Json options_json(const Options& options) {
+/// What a method lacks is said, so that no plane and no notion of planes are told apart.
+Json method_json(const MethodInfo& method) {
+  Json lacks = Json::array(), settings = Json::object();
+  if (!method.has_planes) lacks.push_back("planes");
+  if (!method.has_graph) lacks.push_back("graph");
+  for (const auto& [name, value] : method.settings) settings[name] = value;
+  return {{"name", method.name}, {"lacks", std::move(lacks)}, {"settings", std::move(settings)}};
+}
+
+/// Of a peer only the scale: its other options are settings of the method.
+Json options_json(const Options& options, const MethodInfo& method) {
   Json all = Json::object();
   for (const OptionInfo& info : option_table()) {
+    const bool scale = info.name == "patches.voxel_size" || info.name == "patches.patch_size";
+    if (!method.is_ours() && !scale) continue;
     const std::string text = get_option(options, info.name);
     all[info.name] = info.unit == "choice" ? Json(text) : Json::parse(text);
   }
@@ -146,24 +158,26 @@ std::string lay_out(const Json& value, std::size_t depth = 0) {
 
 }  // namespace
 
-std::string options_hash(const Options& options) {
-  return hash_text(nlohmann::json(options_json(options)).dump());  // which sorts the keys
+std::string options_hash(const Options& options, const MethodInfo& method) {
+  return hash_text(nlohmann::json(options_json(options, method)).dump());  // which sorts the keys
 }
 
 std::string result_json(const Segmentation& scene, const PointCloud& cloud, const InputInfo& input,
                         const std::string& points_hash) {
-  const Json all = {{"schema", kResultSchema},
-                    {"planescope", PLANESCOPE_VERSION},
-                    {"input", input_json(cloud, input)},
-                    {"options", options_json(scene.options)},
-                    {"scale", scale_json(cloud)},
-                    {"up", vector(scene_up(scene, cloud))},
-                    {"patches", scene.graph.patches.size()},
-                    {"planes", planes_json(scene)},
-                    {"hypotheses", hypotheses_json(scene.selection)},
-                    {"segments", segments_json(scene)},
-                    {"edges", edges_json(scene.edges)},
-                    {"points_hash", points_hash}};
+  const Json all = {
+      {"schema", kResultSchema},
+      {"planescope", PLANESCOPE_VERSION},
+      {"input", input_json(cloud, input)},
+      {"method", method_json(scene.method)},
+      {"options", options_json(scene.options, scene.method)},
+      {"scale", scale_json(cloud)},
+      {"up", vector(scene_up(scene, cloud))},
+      {"patches", scene.graph.patches.size()},
+      {"planes", planes_json(scene)},
+      {"hypotheses", scene.method.is_ours() ? hypotheses_json(scene.selection) : Json()},
+      {"segments", segments_json(scene)},
+      {"edges", edges_json(scene.edges)},
+      {"points_hash", points_hash}};
   return lay_out(all) + "\n";
 }
 

@@ -15,6 +15,6 @@ std::string result_json(const Segmentation& scene, const PointCloud& cloud, cons
                         const std::string& points_hash);
 
 /// Result::options_hash.
-std::string options_hash(const Options& options);
+std::string options_hash(const Options& options, const MethodInfo& method);
 
 }  // namespace planescope

@@ -58,6 +58,15 @@ class Node {
     return all;
   }
 
+  std::vector<std::pair<std::string, Node>> members() const {
+    if (!json_.is_object()) fail("an object");
+    std::vector<std::pair<std::string, Node>> all;
+    for (const auto& [key, item] : json_.items()) {
+      all.emplace_back(key, Node(item, file_, name_ + "." + key));
+    }
+    return all;
+  }
+
   std::uint32_t count(std::uint32_t limit = kMaxCount) const {
     if (!json_.is_number_unsigned() || json_.get<std::uint64_t>() > limit) {
       fail("a whole number from 0 to " + std::to_string(limit));
@@ -110,6 +119,19 @@ Json parse(const fs::path& file) {
   }
 }
 
+MethodInfo read_method(const Node& node) {
+  MethodInfo method{node["name"].text(), true, true, {}};
+  for (const Node& lack : node["lacks"].items()) {
+    const std::string what = lack.text();
+    if (what != "planes" && what != "graph") lack.fail("`planes` or `graph`");
+    (what == "planes" ? method.has_planes : method.has_graph) = false;
+  }
+  for (const auto& [name, value] : node["settings"].members()) {
+    method.settings.emplace_back(name, value.number());
+  }
+  return method;
+}
+
 void read_input(const Node& input, Result& result) {
   PointCloud& cloud = result.cloud;
   result.input_name = input["name"].text();
@@ -156,6 +178,7 @@ void read_json(const Node& root, Result& result) {
   if (root["schema"].count() != static_cast<std::uint32_t>(kResultSchema)) {
     root["schema"].fail(std::to_string(kResultSchema) + ", which this planescope reads");
   }
+  result.method = read_method(root["method"]);
   read_input(root["input"], result);
   result.voxel_size = root["options"]["patches.voxel_size"].number();
   result.patch_size = root["options"]["patches.patch_size"].number();

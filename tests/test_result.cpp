@@ -118,6 +118,23 @@ TEST(Result, ComesBackFromItsFolder) {
   EXPECT_TRUE(made.cloud.labels.empty()) << "truth is no part of a result";
 }
 
+TEST(Result, SaysWhichPeerMadeItAndWhatThatLacks) {
+  const TemporaryFolder folder;
+  Segmentation scene = small_scene();
+  EXPECT_TRUE(
+      (save(scene, small_cloud(), folder / "a"), load_result(folder / "a").method.is_ours()));
+  scene.method = {"lccp", false, true, {{"lccp.voxel_size", 0.5}}};
+  save(scene, small_cloud(), folder / "b");
+  const MethodInfo method = load_result(folder / "b").method;
+  EXPECT_EQ(method.name, "lccp");
+  EXPECT_FALSE(method.has_planes);
+  EXPECT_TRUE(method.has_graph);
+  EXPECT_EQ(method.settings, scene.method.settings);
+  const json all = json::parse(read_bytes(folder / "b" / "result.json"));
+  EXPECT_EQ(all["method"]["lacks"], json::array({"planes"}));
+  EXPECT_EQ(all["options"].size(), 2U) << "of ours only the scale";
+}
+
 TEST(Result, JsonSaysWhatTheSceneHolds) {
   const TemporaryFolder folder;
   save(small_scene(), small_cloud(), folder.path(), {"room.pcd", "0123"});
@@ -224,6 +241,10 @@ TEST(LoadResult, RefusesEveryEditThatMatters) {
   const std::vector<std::pair<std::string, json>> edits = {
       {"/schema", 99},
       {"/schema", nullptr},
+      {"/method", 1},
+      {"/method/name", 1},
+      {"/method/lacks", json::array({"wheels"})},
+      {"/method/settings", json::array()},
       {"/input", 1},
       {"/input/width", -3},
       {"/input/width", 4},

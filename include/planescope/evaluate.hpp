@@ -49,6 +49,36 @@ LabelScores score_labels(std::span<const std::uint32_t> predicted,
 /// 10. \throws Error{Kind::Usage} divide is 0; Error{Kind::Input} a label + 1 does not fit.
 std::vector<std::uint32_t> merge_truth(std::span<const std::uint32_t> labels, std::uint32_t divide);
 
+/// What is counted, and what a region is. The default: every point whose true label is not 0.
+struct TruthPolicy {
+  enum class Unlabelled {
+    Missed,   ///< points in no segment never match, and still count in their region's size
+    Ignored,  ///< they do not count at all
+  };
+  std::uint32_t divide = 1;           ///< regions are label / divide: merge_truth()
+  std::uint32_t from = 0;             ///< only labels from here up count
+  std::vector<std::uint32_t> ignore = {};  ///< labels that do not count, besides 0
+  Unlabelled unlabelled = Unlabelled::Missed;
+};
+
+/// The truth to score against: 0 where a point does not count. Labels of `policy` are those of the
+/// file, before they are divided.
+/// 	hrows as merge_truth(); Error{Kind::Input} different lengths.
+std::vector<std::uint32_t> apply_policy(std::span<const std::uint32_t> predicted,
+                                        std::span<const std::uint32_t> truth,
+                                        const TruthPolicy& policy);
+
+/// Eqs. (11) and (12) over some of the regions. The segments are the same as for all of them: a
+/// segment that leaks into another region overlaps less.
+struct ObjectScores {
+  double weighted_overlap = 0, overlap = 0;
+  std::uint32_t regions = 0;  ///< if none: no scores
+};
+
+/// \param first lowest true label of an object, as in the file, whatever `divide` did to it.
+ObjectScores score_objects(const LabelScores& scores, std::uint32_t first,
+                           std::uint32_t divide = 1);
+
 /// How well region borders are drawn in an organised view. A border pixel has a 4-neighbour of
 /// another label, both of them with truth.
 struct BoundaryScores {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "planescope/cloud.hpp"
@@ -32,8 +33,20 @@ struct StageTimes {
          segments = 0;
 };
 
+/// Which method made a segmentation: ours, or a peer that gives the same kind of answer.
+struct MethodInfo {
+  std::string name = "ours";  ///< `ours`, `ransac`, `lccp`, `cpc`
+  bool has_planes = true;     ///< false: the method has no notion of a plane
+  bool has_graph = true;      ///< false: it has no patches, and no edges between them
+  /// A peer's settings by name; ours are in Segmentation::options.
+  std::vector<std::pair<std::string, double>> settings;
+
+  bool is_ours() const { return name == "ours"; }
+};
+
 /// Everything that segment() found out about a cloud.
 struct Segmentation {
+  MethodInfo method;
   Options options;           ///< that made it
   PatchGraph graph;          ///< III-A
   PlaneSelection selection;  ///< IV-A, IV-B

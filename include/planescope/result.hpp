@@ -38,6 +38,7 @@ void save(const Segmentation& scene, const PointCloud& cloud, const std::filesys
 
 /// A stored result as drawing and scoring need it.
 struct Result {
+  MethodInfo method;
   PointCloud cloud;                        ///< positions, colours; organised as the input was
   bool has_colors = false;                 ///< the input had colours of its own
   std::vector<std::uint32_t> point_label;  ///< per point: segment label, or kNoSegment

@@ -35,14 +35,16 @@ void EngineArguments::declare(CLI::App& command) {
   command
       .add_option("--preset", preset_,
                   "auto (from the cloud's spacing, noise and extent) | room | tabletop")
-      ->type_name("NAME");
+      ->type_name("NAME")
+      ->group(kPresetGroup);
   command.add_option("--config", config_file_, "Options from a TOML file; the command line wins")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->group(kPresetGroup);
   for (const OptionInfo& info : option_table()) {
     Given& given = given_.emplace_back(Given{info.name, flags(info.name), {}});
     command.add_option(given.flag, given.text, description(info))
         ->type_name(info.unit == "1" ? "NUMBER" : info.unit)
-        ->group("Options of the engine")
+        ->group(kGroup)
         ->each([&given](const std::string&) { given.seen = true; });
   }
 }

@@ -19,6 +19,9 @@ namespace planescope::cli {
 /// says of it, what the command line says of both.
 class EngineArguments {
  public:
+  static constexpr const char* kGroup = "Options of the engine";
+  static constexpr const char* kPresetGroup = "Presets and files";
+
   /// Adds --preset, --config, and every option of option_table() by its name.
   void declare(CLI::App& command);
 

@@ -9,10 +9,13 @@
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
+#include "cli/truth_arguments.hpp"
+#include "cli/values.hpp"
 #include "io/pcd_reader.hpp"
 #include "planescope/error.hpp"
 #include "planescope/evaluate.hpp"
 #include "planescope/io.hpp"
+#include "planescope/project.hpp"
 #include "planescope/result.hpp"
 
 namespace planescope::cli {
@@ -23,24 +26,28 @@ using Json = nlohmann::ordered_json;
 
 struct Arguments {
   Console console;
+  TruthArguments counted;
   fs::path result, truth, truth_planes;
-  std::uint32_t truth_divide = 1, truth_from = 0;
+  std::string camera, pose;
+  std::uint32_t splat = 0;
   double require_overlap = 0;
 };
 
 /// What is scored.
 struct Prediction {
+  PointCloud cloud;
   std::vector<std::uint32_t> labels;
   std::uint32_t width = 0, height = 1;
+  MethodInfo method;
   std::vector<Plane> planes;
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
 };
 
 /// All scores; borders of organised views only, planes where true ones were given.
 struct Scores {
-  LabelScores labels;
+  ScoredLabels labels;
   std::optional<BoundaryScores> borders;
   std::optional<PlaneScores> planes;
+  std::optional<double> holes;  ///< share of the counted pixels that the projection left empty
 };
 
 PointCloud read_labelled(const fs::path& file) {
@@ -53,18 +60,22 @@ PointCloud read_labelled(const fs::path& file) {
 }
 
 Prediction read_prediction(const Arguments& a) {
-  if (!fs::is_directory(a.result)) {
-    if (!a.truth_planes.empty()) {
-      throw Error(Error::Kind::Usage,
-                  "--truth-planes needs a result folder; " + a.result.string() + " is none");
-    }
-    PointCloud cloud = read_labelled(a.result);
-    return {std::move(cloud.labels), cloud.width, cloud.height, {}, cloud.origin};
+  Prediction prediction;
+  if (fs::is_directory(a.result)) {
+    Result result = load_result(a.result);
+    prediction.cloud = std::move(result.cloud);
+    prediction.labels = std::move(result.point_label);
+    prediction.method = std::move(result.method);
+    for (const SupportingPlane& plane : result.planes) prediction.planes.push_back(plane.plane);
+  } else if (a.truth_planes.empty()) {
+    prediction.cloud = read_labelled(a.result);
+    prediction.labels = prediction.cloud.labels;
+  } else {
+    throw Error(Error::Kind::Usage,
+                "--truth-planes needs a result folder; " + a.result.string() + " is none");
   }
-  Result result = load_result(a.result);
-  const PointCloud& cloud = result.cloud;
-  Prediction prediction{std::move(result.point_label), cloud.width, cloud.height, {}, cloud.origin};
-  for (const SupportingPlane& plane : result.planes) prediction.planes.push_back(plane.plane);
+  prediction.width = prediction.cloud.width;
+  prediction.height = prediction.cloud.height;
   return prediction;
 }
 
@@ -76,41 +87,68 @@ std::vector<std::uint32_t> read_field(const Arguments& a) {
 }
 
 /// --truth names a file or, where there is none and the name could be one, a field.
-std::vector<std::uint32_t> read_truth_labels(const Arguments& a) {
-  const bool field = !fs::exists(a.truth) && !a.truth.has_parent_path() && !a.truth.has_extension();
-  return field ? read_field(a) : read_labelled(a.truth).labels;
-}
-
-/// Truth under the policies of the command line.
 std::vector<std::uint32_t> read_truth(const Arguments& a, std::size_t size) {
-  std::vector<std::uint32_t> truth = read_truth_labels(a);
+  const bool field = !fs::exists(a.truth) && !a.truth.has_parent_path() && !a.truth.has_extension();
+  std::vector<std::uint32_t> truth = field ? read_field(a) : read_labelled(a.truth).labels;
   if (truth.size() != size) {
     throw Error(Error::Kind::Input, a.truth.string() + ": has " + std::to_string(truth.size()) +
                                         " points, " + a.result.string() + " has " +
                                         std::to_string(size) + "; name the cloud of that result");
   }
-  for (std::uint32_t& label : truth) {
-    if (label < a.truth_from) label = 0;
-  }
-  return a.truth_divide > 1 ? merge_truth(truth, a.truth_divide) : truth;
+  return truth;
 }
 
-Scores score(const Arguments& a, const Prediction& prediction) {
-  const auto truth = read_truth(a, prediction.labels.size());
-  Scores scores{score_labels(prediction.labels, truth), {}, {}};
-  if (prediction.height > 1) {
-    scores.borders = score_boundaries(prediction.labels, truth, prediction.width);
+/// The result as the camera sees it, in place of its points. \returns the image's truth.
+std::vector<std::uint32_t> project(const Arguments& a, Prediction& prediction) {
+  PointCloud image = read_labelled(a.truth);
+  if (!image.organised()) {
+    throw Error(Error::Kind::Input, a.truth.string() +
+                                        ": is no organised view; --camera needs a labelled image, "
+                                        "a cloud of more than one row");
   }
-  if (!a.truth_planes.empty()) {
-    const auto faces = read_true_planes(a.truth_planes, prediction.origin);
+  const auto [fx, fy, cx, cy] = parse_intrinsics("--camera", a.camera);
+  PinholeCamera camera{image.width, image.height, fx, fy, cx, cy};
+  if (!a.pose.empty()) camera.pose = parse_pose("--pose", a.pose);
+  prediction.labels = project_labels(prediction.cloud, prediction.labels, camera, a.splat);
+  prediction.width = image.width;
+  prediction.height = image.height;
+  return std::move(image.labels);
+}
+
+double share_of_holes(const std::vector<std::uint32_t>& labels,
+                      const std::vector<std::uint32_t>& truth) {
+  std::size_t counted = 0, holes = 0;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (truth[i] == 0) continue;
+    ++counted;
+    holes += labels[i] == kNoSegment ? 1 : 0;
+  }
+  return counted == 0 ? 0 : static_cast<double>(holes) / static_cast<double>(counted);
+}
+
+Scores score(const Arguments& a, Prediction& prediction) {
+  const bool projected = !a.camera.empty();
+  const auto truth = projected ? project(a, prediction) : read_truth(a, prediction.labels.size());
+  Scores scores{score(a.counted, prediction.labels, truth), {}, {}, {}};
+  if (projected) scores.holes = share_of_holes(prediction.labels, truth);
+  if (prediction.height > 1) {
+    scores.borders = score_boundaries(prediction.labels,
+                                      apply_policy(prediction.labels, truth, a.counted.policy),
+                                      prediction.width);
+  }
+  if (a.truth_planes.empty()) return scores;
+  const auto faces = read_true_planes(a.truth_planes, prediction.cloud.origin);
+  if (prediction.method.has_planes) {
     scores.planes = score_planes(prediction.planes, faces);
+  } else {
+    a.console.say(prediction.method.name + " has no planes to score");
   }
   return scores;
 }
 
-Json labels_json(const Arguments& a, const LabelScores& s) {
+Json labels_json(const TruthArguments& counted, const LabelScores& s) {
   Json regions = Json::array();
-  const std::uint32_t shift = a.truth_divide > 1 ? 1 : 0;  // of merge_truth()
+  const std::uint32_t shift = counted.policy.divide > 1 ? 1 : 0;  // of merge_truth()
   for (const RegionScore& region : s.per_region) {
     regions.push_back({{"truth", region.truth - shift},
                        {"points", region.points},
@@ -144,8 +182,22 @@ Json planes_json(const PlaneScores& p) {
           {"manhattan_deviation", p.manhattan_deviation}};
 }
 
+Json policy_json(const TruthArguments& counted) {
+  return {{"divide", counted.policy.divide},
+          {"from", counted.policy.from},
+          {"ignore", counted.policy.ignore},
+          {"unlabelled", counted.unlabelled}};
+}
+
 void print_json(const Arguments& a, const Scores& scores) {
-  Json outcome = {{"labels", labels_json(a, scores.labels)}};
+  Json outcome = {{"policy", policy_json(a.counted)},
+                  {"labels", labels_json(a.counted, scores.labels.all)}};
+  if (scores.labels.objects && scores.labels.objects->regions > 0) {
+    outcome["objects"] = {{"weighted_overlap", scores.labels.objects->weighted_overlap},
+                          {"overlap", scores.labels.objects->overlap},
+                          {"regions", scores.labels.objects->regions}};
+  }
+  if (scores.holes) outcome["projection"] = {{"holes", *scores.holes}};
   if (scores.borders) {
     outcome["borders"] = {{"recall", scores.borders->recall},
                           {"precision", scores.borders->precision}};
@@ -155,7 +207,7 @@ void print_json(const Arguments& a, const Scores& scores) {
 }
 
 void print_table(const Scores& scores) {
-  const LabelScores& s = scores.labels;
+  const LabelScores& s = scores.labels.all;
   std::printf("weighted overlap WO        %7.4f\n", s.weighted_overlap);
   std::printf("overlap UO                 %7.4f\n", s.overlap);
   std::printf("over-segmentation F_os     %7.4f\n", s.over_segmentation);
@@ -163,6 +215,11 @@ void print_table(const Scores& scores) {
   std::printf("adjusted Rand index        %7.4f\n", s.adjusted_rand);
   std::printf("variation of information   %7.4f bit\n", s.variation_of_information);
   std::printf("true regions, segments     %7u, %u\n", s.regions, s.segments);
+  if (scores.labels.objects && scores.labels.objects->regions > 0) {
+    std::printf("objects alone: WO, UO      %7.4f, %.4f\n", scores.labels.objects->weighted_overlap,
+                scores.labels.objects->overlap);
+  }
+  if (scores.holes) std::printf("holes of the projection    %7.4f\n", *scores.holes);
   if (scores.borders) {
     std::printf("border recall, precision   %7.4f, %.4f\n", scores.borders->recall,
                 scores.borders->precision);
@@ -177,18 +234,23 @@ void print_table(const Scores& scores) {
   std::printf("pairs off parallel or 90   %7.4f deg\n", p.manhattan_deviation);
 }
 
-void run(const Arguments& a) {
+void run(Arguments& a) {
+  a.counted.check();
+  if (a.camera.empty() && (!a.pose.empty() || a.splat > 0)) {
+    throw Error(Error::Kind::Usage, "--pose and --splat need --camera FX,FY,CX,CY");
+  }
   if (!(a.require_overlap >= 0 && a.require_overlap <= 1)) {  // nan too
     throw Error(Error::Kind::Usage,
                 "--require-overlap is " + std::to_string(a.require_overlap) + "; it takes 0 to 1");
   }
-  const Scores scores = score(a, read_prediction(a));
+  Prediction prediction = read_prediction(a);
+  const Scores scores = score(a, prediction);
   if (a.console.json) {
     print_json(a, scores);
   } else {
     print_table(scores);
   }
-  const double overlap = scores.labels.weighted_overlap;
+  const double overlap = scores.labels.all.weighted_overlap;
   if (overlap < a.require_overlap) {
     throw Error(Error::Kind::Mismatch, "weighted overlap is " + std::to_string(overlap) +
                                            "; --require-overlap asks for " +
@@ -210,13 +272,6 @@ Command add_evaluate(CLI::App& program) {
       ->required()
       ->type_name("CLOUD|FIELD");
   command
-      ->add_option("--truth-divide", a->truth_divide,
-                   "True objects are label / N: merges the parts of one object")
-      ->check(CLI::Range(1u, 1'000'000u))
-      ->type_name("N");
-  command->add_option("--truth-from", a->truth_from, "Count only true labels from N up")
-      ->type_name("N");
-  command
       ->add_option("--truth-planes", a->truth_planes,
                    "True planes, as `planescope synthesize` writes them")
       ->type_name("JSON");
@@ -225,6 +280,17 @@ Command add_evaluate(CLI::App& program) {
                    "Exit with 6 where the weighted overlap is below this, 0 to 1")
       ->check(CLI::Range(0.0, 1.0))
       ->type_name("WO");
+  command
+      ->add_option("--camera", a->camera,
+                   "Score the image that this pinhole camera has of RESULT; --truth is a labelled "
+                   "view of that size, in its pixels")
+      ->type_name("FX,FY,CX,CY");
+  command->add_option("--pose", a->pose, "Camera to world, as in TUM's trajectories (the origin)")
+      ->type_name("TX,TY,TZ,QX,QY,QZ,QW");
+  command->add_option("--splat", a->splat, "A point covers N pixels around its own too (0)")
+      ->check(CLI::Range(0, 64))
+      ->type_name("N");
+  a->counted.declare(*command);
   a->console.declare(*command);
   return {command, [a] { run(*a); }};
 }

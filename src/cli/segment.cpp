@@ -13,6 +13,7 @@
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/engine_arguments.hpp"
+#include "cli/method_arguments.hpp"
 #include "cli/run_info.hpp"
 #include "cli/staged_folder.hpp"
 #include "cli/values.hpp"
@@ -32,8 +33,10 @@ using TbbLimit = tbb::global_control;
 struct Arguments {
   Console console;
   EngineArguments engine;
+  MethodArguments peers;
   CameraArguments camera;
   std::filesystem::path scene, folder;
+  std::string method = "ours";
   bool no_pictures = false;
   std::size_t threads = 0;
   std::uint64_t max_points = ReadLimits{}.max_points;
@@ -60,13 +63,17 @@ std::string describe_choice(const PointCloud& cloud, const Options& options) {
          get_option(options, "planes.min_area");
 }
 
+/// Counts of what the method has.
 std::string describe_scene(const Segmentation& scene, const PointCloud& cloud) {
   const auto on = std::ranges::count(scene.edges, true, &Edge::on);
-  return std::to_string(cloud.size()) + " points, " + std::to_string(scene.graph.patches.size()) +
-         " patches, " + std::to_string(scene.planes.size()) + " planes, " +
-         std::to_string(scene.edges.size()) + " edges (" + std::to_string(on) + " ON, " +
-         std::to_string(std::ssize(scene.edges) - on) + " OFF), " +
-         std::to_string(scene.segments.segments.size()) + " segments";
+  std::string text = std::to_string(cloud.size()) + " points, ";
+  if (scene.method.has_graph) text += std::to_string(scene.graph.patches.size()) + " patches, ";
+  if (scene.method.has_planes) text += std::to_string(scene.planes.size()) + " planes, ";
+  if (scene.method.has_graph) {
+    text += std::to_string(scene.edges.size()) + " edges (" + std::to_string(on) + " ON, " +
+            std::to_string(std::ssize(scene.edges) - on) + " OFF), ";
+  }
+  return text + std::to_string(scene.segments.segments.size()) + " segments";
 }
 
 Segmentation compute(const Arguments& a, const PointCloud& cloud) {
@@ -77,7 +84,7 @@ Segmentation compute(const Arguments& a, const PointCloud& cloud) {
   for (const OptionInfo& info : option_table()) {
     a.console.detail("  " + info.name + " = " + get_option(options, info.name));
   }
-  return segment(cloud, options, a.console.progress());
+  return a.peers.run(a.method, cloud, options, a.console.progress());
 }
 
 /// Files of a result folder that a run without pictures does not write.
@@ -114,7 +121,9 @@ void print_json(const Arguments& a) {
 
 void run(Arguments& a) {
   const Stopwatch since_start;
+  check_method("--method", a.method);
   a.engine.check();
+  a.peers.check();
   RenderOptions drawing;
   a.camera.apply(drawing);
   if (a.folder.empty())
@@ -147,7 +156,10 @@ Command add_segment(CLI::App& program) {
   command->add_option("-o,--output", a->folder, "Folder for the result, made where it is missing")
       ->required()
       ->type_name("DIR");
+  command->add_option("--method", a->method, "ours, or a peer: ransac | lccp | cpc (ours)")
+      ->type_name("NAME");
   a->engine.declare(*command);
+  a->peers.declare(*command);
   a->camera.declare(*command);
   command->add_flag("--no-pictures", a->no_pictures, "Write no PNG (needs no OpenGL)");
   command->add_option("--threads", a->threads, "Threads at most (all); the result is the same")

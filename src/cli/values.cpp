@@ -42,11 +42,13 @@ std::optional<Number> number(const std::string& text) {
   return value;
 }
 
-std::optional<std::array<double, 3>> triple(const std::string& text) {
+/// N numbers with commas, or nothing.
+template <std::size_t N>
+std::optional<std::array<double, N>> numbers(const std::string& text) {
   const auto parts = split(text, ',');
-  if (parts.size() != 3) return std::nullopt;
-  std::array<double, 3> values{};
-  for (std::size_t i = 0; i < 3; ++i) {
+  if (parts.size() != N) return std::nullopt;
+  std::array<double, N> values{};
+  for (std::size_t i = 0; i < N; ++i) {
     const auto value = number<double>(parts[i]);
     if (!value) return std::nullopt;
     values[i] = *value;
@@ -66,9 +68,39 @@ std::optional<Value> named(const std::array<std::pair<const char*, Value>, N>& n
 }  // namespace
 
 Eigen::Vector3d parse_vector(const std::string& option, const std::string& text) {
-  const auto values = triple(text);
+  const auto values = numbers<3>(text);
   if (!values) refuse(option, text, "X,Y,Z, such as 0,0,1");
   return {(*values)[0], (*values)[1], (*values)[2]};
+}
+
+std::vector<std::uint32_t> parse_labels(const std::string& option, const std::string& text) {
+  std::vector<std::uint32_t> labels;
+  for (const std::string& part : split(text, ',')) {
+    const auto label = number<std::uint32_t>(part);
+    if (!label) refuse(option, text, "labels, whole numbers with commas, such as 1,2");
+    labels.push_back(*label);
+  }
+  return labels;
+}
+
+std::array<double, 4> parse_intrinsics(const std::string& option, const std::string& text) {
+  const auto values = numbers<4>(text);
+  if (!values || !((*values)[0] > 0 && (*values)[1] > 0)) {
+    refuse(option, text, "FX,FY,CX,CY in pixels, such as 525,525,319.5,239.5");
+  }
+  return *values;
+}
+
+Eigen::Isometry3d parse_pose(const std::string& option, const std::string& text) {
+  const auto v = numbers<7>(text);
+  const auto rotation = [&] { return Eigen::Quaterniond((*v)[6], (*v)[3], (*v)[4], (*v)[5]); };
+  if (!v || !(std::abs(rotation().norm() - 1) < 0.01)) {
+    refuse(option, text, "TX,TY,TZ,QX,QY,QZ,QW, camera to world, with a unit quaternion");
+  }
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.linear() = rotation().normalized().toRotationMatrix();
+  pose.translation() << (*v)[0], (*v)[1], (*v)[2];
+  return pose;
 }
 
 std::array<int, 2> parse_size(const std::string& option, const std::string& text) {
@@ -85,7 +117,7 @@ std::array<int, 2> parse_size(const std::string& option, const std::string& text
 std::array<double, 3> parse_color(const std::string& option, const std::string& text) {
   if (text == "white") return {1, 1, 1};
   if (text == "black") return {0, 0, 0};
-  const auto values = triple(text);
+  const auto values = numbers<3>(text);
   const auto fits = [](double v) { return v >= 0 && v <= 1; };
   if (!values || !fits((*values)[0]) || !fits((*values)[1]) || !fits((*values)[2])) {
     refuse(option, text, "white, black, or R,G,B from 0 to 1");

@@ -5,8 +5,9 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "planescope/render.hpp"
 
@@ -20,6 +21,15 @@ namespace planescope::cli {
 
 /// `X,Y,Z`
 Eigen::Vector3d parse_vector(const std::string& option, const std::string& text);
+
+/// `N,N,...`: labels.
+std::vector<std::uint32_t> parse_labels(const std::string& option, const std::string& text);
+
+/// `FX,FY,CX,CY` [pixel]: a pinhole camera's intrinsics.
+std::array<double, 4> parse_intrinsics(const std::string& option, const std::string& text);
+
+/// `TX,TY,TZ,QX,QY,QZ,QW`: camera to world, as in the trajectories of TUM RGB-D.
+Eigen::Isometry3d parse_pose(const std::string& option, const std::string& text);
 
 /// `WIDTHxHEIGHT`
 std::array<int, 2> parse_size(const std::string& option, const std::string& text);

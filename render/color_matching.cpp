@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 the planescope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "color_matching.hpp"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "planescope/cloud.hpp"
+
+namespace planescope::draw {
+namespace {
+
+using Labels = std::span<const std::uint32_t>;
+constexpr std::uint32_t kUnmatched = 0xFFFFFFFF;
+
+/// Overlap of one object so far and one label.
+struct Overlap {
+  double share = 0;
+  std::uint32_t object = 0, label = 0;
+};
+
+std::vector<std::size_t> count_labels(Labels labels) {
+  std::vector<std::size_t> count(1, 0);
+  for (const std::uint32_t label : labels) {
+    if (label >= count.size()) count.resize(label + std::size_t{1}, 0);
+    ++count[label];
+  }
+  return count;
+}
+
+/// All that overlap by at least `least`, the largest first.
+std::vector<Overlap> overlaps(Labels objects, const std::vector<std::size_t>& object_points,
+                              Labels labels, const std::vector<std::size_t>& label_points,
+                              double least) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> both;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (labels[i] != kNoSegment && objects[i] != kUnmatched) ++both[{objects[i], labels[i]}];
+  std::vector<Overlap> all;
+  for (const auto& [pair, points] : both) {
+    const std::size_t either = object_points[pair.first] + label_points[pair.second] - points;
+    const double share = static_cast<double>(points) / static_cast<double>(either);
+    if (share >= least) all.push_back({share, pair.first, pair.second});
+  }
+  std::sort(all.begin(), all.end(), [](const Overlap& a, const Overlap& b) {
+    return std::tuple(-a.share, a.object, a.label) < std::tuple(-b.share, b.object, b.label);
+  });
+  return all;
+}
+
+/// The objects as one segmentation shows them: what it matched, per point.
+std::vector<std::uint32_t> to_objects(Labels labels, const std::vector<std::uint32_t>& object) {
+  std::vector<std::uint32_t> objects(labels.size(), kUnmatched);
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (labels[i] != kNoSegment) objects[i] = object[labels[i]];
+  return objects;
+}
+
+/// Each label's object among those that segmentation `from` shows, where both are still free.
+void match_with(Labels labels, const std::vector<std::size_t>& label_points, Labels from,
+                const std::vector<std::uint32_t>& from_object, double least,
+                std::vector<std::uint32_t>& object, std::vector<char>& taken) {
+  const auto shown = to_objects(from, from_object);
+  std::vector<std::size_t> shown_points(taken.size(), 0);
+  for (const std::uint32_t o : shown)
+    if (o != kUnmatched) ++shown_points[o];
+  for (const Overlap& overlap : overlaps(shown, shown_points, labels, label_points, least)) {
+    if (object[overlap.label] != kUnmatched || taken[overlap.object] != 0) continue;
+    object[overlap.label] = overlap.object;
+    taken[overlap.object] = 1;
+  }
+}
+
+}  // namespace
+
+MatchedLabels match_labels(const std::vector<Labels>& labels, double least) {
+  MatchedLabels matched;
+  for (const Labels& own : labels) {
+    const auto points = count_labels(own);
+    std::vector<std::uint32_t> object(points.size(), kUnmatched);
+    std::vector<char> taken(matched.points.size(), 0);
+    for (std::size_t before = 0; before < matched.object.size(); ++before)
+      match_with(own, points, labels[before], matched.object[before], least, object, taken);
+    object[kNoSegment] = 0;
+    for (std::uint32_t label = 1; label < points.size(); ++label) {
+      if (points[label] == 0) object[label] = 0;  // nobody asks for it
+      if (object[label] != kUnmatched) continue;
+      object[label] = static_cast<std::uint32_t>(matched.points.size());
+      matched.points.push_back(points[label]);
+    }
+    matched.object.push_back(std::move(object));
+  }
+  return matched;
+}
+
+std::vector<Pixel> color_objects(const MatchedLabels& matched, std::size_t points,
+                                 const Neighbours& neighbours) {
+  std::vector<std::size_t> groups;
+  for (const std::size_t count : matched.points) groups.push_back(10 * count >= points ? 0 : 1);
+  return assign_colors(groups, {calm_colors(), vivid_colors()}, neighbours);
+}
+
+Neighbours touching_objects(const std::vector<Labels>& labels, const MatchedLabels& matched,
+                            std::span<const std::int32_t> point_patch, std::size_t patches,
+                            const Neighbours& edges) {
+  Neighbours touching;
+  for (std::size_t s = 0; s < labels.size(); ++s) {
+    std::vector<std::uint32_t> object(patches, kUnmatched);  // of a patch: that of its last point
+    for (std::size_t i = 0; i < labels[s].size(); ++i) {
+      if (point_patch[i] != kNone && labels[s][i] != kNoSegment)
+        object[static_cast<std::size_t>(point_patch[i])] = matched.object[s][labels[s][i]];
+    }
+    for (const auto& [a, b] : edges) {
+      if (object[a] != kUnmatched && object[b] != kUnmatched && object[a] != object[b])
+        touching.emplace_back(std::min(object[a], object[b]), std::max(object[a], object[b]));
+    }
+  }
+  std::sort(touching.begin(), touching.end());
+  touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
+  return touching;
+}
+
+}  // namespace planescope::draw
