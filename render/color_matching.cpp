@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <tuple>
 
 #include "planescope/cloud.hpp"
@@ -13,6 +14,18 @@ namespace {
 
 using Labels = std::span<const std::uint32_t>;
 constexpr std::uint32_t kUnmatched = 0xFFFFFFFF;
+
+constexpr std::size_t kTellApart = 16;  // beyond, colours come twice
+
+/// Indices of the largest values, at most `count`.
+std::vector<std::uint32_t> largest(const std::vector<std::size_t>& values, std::size_t count) {
+  std::vector<std::uint32_t> order(values.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return values[a] > values[b]; });
+  order.resize(std::min(count, order.size()));
+  return order;
+}
 
 /// Overlap of one object so far and one label.
 struct Overlap {
@@ -95,9 +108,17 @@ MatchedLabels match_labels(const std::vector<Labels>& labels, double least) {
 
 std::vector<Pixel> color_objects(const MatchedLabels& matched, std::size_t points,
                                  const Neighbours& neighbours) {
+  Neighbours apart = neighbours;
+  const auto large = largest(matched.points, kTellApart);
+  for (std::size_t i = 0; i < large.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      apart.emplace_back(std::min(large[i], large[j]), std::max(large[i], large[j]));
   std::vector<std::size_t> groups;
   for (const std::size_t count : matched.points) groups.push_back(10 * count >= points ? 0 : 1);
-  return assign_colors(groups, {calm_colors(), vivid_colors()}, neighbours);
+  // Shading changes how light a large surface is from face to face: these differ in hue.
+  std::vector<Pixel> calm;
+  for (int hue = 75; hue < 435; hue += 40) calm.push_back(from_oklch(0.85, 0.085, hue));
+  return assign_colors(groups, {calm, vivid_colors()}, apart);
 }
 
 Neighbours touching_objects(const std::vector<Labels>& labels, const MatchedLabels& matched,

@@ -26,7 +26,8 @@ MatchedLabels match_labels(const std::vector<std::span<const std::uint32_t>>& la
                            double least = 0.05);
 
 /// Colours of the objects: large ones (of at least a tenth of `points`) calm, others vivid;
-/// neighbours are kept apart.
+/// neighbours are kept apart, and so are the 16 largest, wherever they are: a colour means an
+/// object.
 std::vector<Pixel> color_objects(const MatchedLabels& matched, std::size_t points,
                                  const Neighbours& neighbours);
 

@@ -21,8 +21,7 @@ using draw::Image;
 using draw::Pixel;
 using Labels = std::span<const std::uint32_t>;
 
-constexpr double kColumn = 85;  // [mm] width of a column of most journals
-constexpr double kGap = 1.5;    // [mm] between panels
+constexpr double kGap = 1.5;  // [mm] between panels
 constexpr double kTitlePoints = 7.5, kScorePoints = 7.0;
 constexpr double kLine = 1.35;  // height of a line over its font
 
@@ -50,12 +49,12 @@ Grid lay_out(const std::vector<FigurePanel>& panels, const FigureOptions& option
   const double line = kLine * options.dpi / 72;
   grid.caption = static_cast<int>(std::lround((0.3 + 1) * kTitlePoints * line / kLine * 1.1 +
                                               (scored ? kScorePoints * line : 0)));
-  const auto [width, height] = options.drawing.size;
-  grid.width = width > 0 ? width : pixels(kColumn);
+  grid.width = options.size ? options.size->at(0) : pixels(options.width_mm);
   grid.panel_width = (grid.width - grid.gap * (grid.columns - 1)) / grid.columns;
   const int around = grid.rows * grid.caption + (grid.rows - 1) * grid.gap;
-  grid.panel_height = height > 0 ? (height - around) / grid.rows : grid.panel_width * 3 / 4;
-  grid.height = height > 0 ? height : around + grid.rows * grid.panel_height;
+  grid.height =
+      options.size ? options.size->at(1) : around + grid.rows * (grid.panel_width * 3 / 4);
+  grid.panel_height = (grid.height - around) / grid.rows;
   if (grid.panel_width < 16 || grid.panel_height < 16)
     throw Error(Error::Kind::Usage,
                 "figure size " + std::to_string(grid.width) + "x" + std::to_string(grid.height) +
@@ -67,9 +66,11 @@ Grid lay_out(const std::vector<FigurePanel>& panels, const FigureOptions& option
 void check(const PointCloud& cloud, const std::vector<FigurePanel>& panels,
            const FigureOptions& options) {
   if (panels.empty() || panels.size() > 26 || options.columns < 1 ||
-      !(options.dpi >= 72 && options.dpi <= 1200))
+      !(options.dpi >= 72 && options.dpi <= 1200) ||
+      !(options.width_mm >= 10 && options.width_mm <= 1000))
     throw Error(Error::Kind::Usage,
-                "figure: expected 1 to 26 panels, at least one column and 72 to 1200 dpi");
+                "figure: expected 1 to 26 panels, at least one column, 72 to "
+                "1200 dpi and a width of 10 to 1000 mm");
   for (const FigurePanel& panel : panels) {
     if (!panel.labels.empty() && panel.labels.size() != cloud.size())
       throw Error(Error::Kind::Usage, "figure: panel `" + panel.title + "` has " +

@@ -82,6 +82,14 @@ TEST(Caption, ResolutionIsWhatAnyProgramWritesFor300Dpi) {
   EXPECT_EQ(draw::read_png(folder / "a.png"), draw::filled(4, 3, {1, 2, 3}));
 }
 
+TEST(ColorObjects, TheLargestAllDiffer) {
+  draw::MatchedLabels matched;
+  matched.points = {900, 500, 100, 90, 80, 70, 60, 50, 40, 30};
+  const auto colors = draw::color_objects(matched, 2000, {});
+  for (std::size_t i = 0; i < colors.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) EXPECT_NE(colors[i], colors[j]) << i << " and " << j;
+}
+
 /// Rows of a black text on white that hold ink.
 int inked_rows(const Image& image) {
   int rows = 0;
@@ -112,7 +120,7 @@ Image crop(const Image& image, int x, int y, int width, int height) {
 Image figure(const ToyScene& toy, const std::vector<FigurePanel>& panels, std::string* bytes) {
   FigureOptions options;
   options.dpi = 150;
-  options.drawing.size = {2 * 240 + 9, 0};
+  options.width_mm = (2 * 240 + 9) / 150.0 * 25.4;
   const TemporaryFolder folder;
   render_figure(toy.scene, toy.cloud, panels, options, folder / "f.png");
   *bytes = testing::read_bytes(folder / "f.png");
@@ -165,7 +173,7 @@ TEST(Figure, RefusesWhatItCannotLayOut) {
     return Error::Kind::Internal;
   };
   FigureOptions tiny, coarse;
-  tiny.drawing.size = {60, 40};
+  tiny.size = {60, 40};
   coarse.dpi = 10;
   EXPECT_EQ(kind({}, {}), Error::Kind::Usage);
   EXPECT_EQ(kind({{"Scene", "", {}}}, tiny), Error::Kind::Usage);

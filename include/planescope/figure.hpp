@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,18 +23,14 @@ struct FigurePanel {
   bool is_truth = false;              ///< others take its colours
 };
 
-/// RenderOptions of a figure whose size follows from its resolution.
-inline RenderOptions whole_column() {
-  RenderOptions options;
-  options.size = {0, 0};
-  return options;
-}
-
 /// How a figure is laid out.
 struct FigureOptions {
-  /// View, up, background and points; `size` is the whole figure's in pixels, or {0, 0}: as wide as
-  /// a column (85 mm) at `dpi`, panels 4:3. `layers` and `title` are ignored.
-  RenderOptions drawing = whole_column();
+  /// View, up, background and points. Its `size`, `layers` and `title` are ignored.
+  RenderOptions drawing;
+  double width_mm = 85;  ///< [mm] in print, 10 to 1000: 85 is a column, 180 a page of most
+                         ///< journals; panels are 4:3
+  /// [pixel] The whole figure; instead of `width_mm` and 4:3.
+  std::optional<std::array<int, 2>> size;
   std::uint32_t columns = 2;  ///< panels in a row
   double dpi = 300;           ///< [pixel/inch] 72 to 1200; captions are 7.5 points at it, and the
                               ///< PNG says it

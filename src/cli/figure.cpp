@@ -107,6 +107,7 @@ void run(Arguments& a) {
   a.peers.check();
   a.counted.check();
   a.camera.apply(a.figure.drawing);
+  if (!a.camera.size.empty()) a.figure.size = a.figure.drawing.size;
   const PointCloud cloud = read_cloud(a.scene);
   const Content content = make_content(a, methods, cloud);
   const fs::path numbers = fs::path(a.png).replace_extension(".json");
@@ -139,11 +140,15 @@ Command add_figure(CLI::App& program) {
   command->add_option("--columns", a->figure.columns, "Panels in a row")
       ->check(CLI::Range(1, 26))
       ->capture_default_str();
+  command->add_option("--width", a->figure.width_mm, "Width in print [mm]; panels are 4:3")
+      ->check(CLI::Range(10.0, 1000.0))
+      ->capture_default_str()
+      ->type_name("MM");
   command->add_option("--dpi", a->figure.dpi, "Resolution in print, which sizes the captions")
       ->check(CLI::Range(72.0, 1200.0))
       ->capture_default_str();
   a->camera.declare(*command);
-  command->get_option("--size")->description("Size of the figure in pixels (85 mm wide)");
+  command->get_option("--size")->description("Size of the figure in pixels, instead of --width");
   a->counted.declare(*command);
   a->engine.declare(*command);
   a->peers.declare(*command);
