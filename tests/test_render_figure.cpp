@@ -74,7 +74,7 @@ TEST(ColorObjects, NeighboursOfAnyPanelDiffer) {
 
 TEST(Caption, ResolutionIsWhatAnyProgramWritesFor300Dpi) {
   const std::string png =
-      draw::with_resolution(draw::encode_png(draw::filled(4, 3, {1, 2, 3})), 300);
+      draw::encode_png(draw::filled(4, 3, {1, 2, 3}), {.texts = {}, .dpi = 300});
   const std::string chunk("\0\0\0\x09pHYs\0\0\x2E\x23\0\0\x2E\x23\x01\x78\xA5\x3F\x76", 21);
   EXPECT_EQ(png.find(chunk), 33U);
   const TemporaryFolder folder;
