@@ -73,14 +73,16 @@ Json scale_json(const PointCloud& cloud) {
 Json planes_json(const Segmentation& scene) {
   Json all = Json::array();
   for (const SupportingPlane& plane : scene.planes) {
+    const bool face = plane.role == PlaneRole::Face;
     all.push_back({{"id", all.size()},
+                   {"role", face ? "face" : "support"},
                    {"normal", vector(plane.plane.normal)},
                    {"distance", tidy(plane.plane.distance)},
                    {"area", tidy(plane.area)},
                    {"patches", plane.patch_count},
                    {"points", plane.point_count},
                    {"rms", tidy(plane.rms)},
-                   {"hypothesis", plane.hypothesis}});
+                   {"hypothesis", face ? Json() : Json(plane.hypothesis)}});
   }
   return all;
 }

@@ -150,7 +150,10 @@ SupportingPlane read_plane(const Node& node, std::size_t index) {
   if (node["id"].count() != index) node["id"].fail(std::to_string(index));
   SupportingPlane plane;
   plane.plane = {node["normal"].unit(), node["distance"].real()};
-  plane.hypothesis = node["hypothesis"].count();
+  const std::string role = node["role"].text();
+  if (role != "support" && role != "face") node["role"].fail("support or face");
+  plane.role = role == "face" ? PlaneRole::Face : PlaneRole::Support;
+  if (plane.role == PlaneRole::Support) plane.hypothesis = node["hypothesis"].count();
   plane.patch_count = node["patches"].count();
   plane.point_count = node["points"].count();
   plane.area = node["area"].real();

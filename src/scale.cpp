@@ -22,6 +22,9 @@ namespace {
 
 constexpr std::size_t kQueries = 1024;        // places at which density and noise are measured
 constexpr std::size_t kExtentSample = 65536;  // points that give the extent's percentiles
+// The smallest voxels, in spacings: the samples of one view lie the further apart the further away,
+// those of a map evenly.
+constexpr double kViewVoxel = 1.5, kMapVoxel = 1.05;
 constexpr float kWantedNeighbours = 24;  // points that a place should see: enough to fit a plane
 
 std::vector<std::uint32_t> finite_indices(const PointCloud& cloud) {
@@ -253,7 +256,9 @@ CloudScale measure_scale(const PointCloud& cloud) {
   scale.spacing = double(spacing);
   scale.noise = std::max(double(noise), depth_noise(cloud, queries));
   find_ranges(cloud, finite, queries, seen, scale);
-  scale.connected_voxel = find_connected_voxel(cloud, 1.5 * scale.spacing, scale);
+  const bool map = !cloud.organised() && scale.median_range == 0;
+  scale.connected_voxel =
+      find_connected_voxel(cloud, (map ? kMapVoxel : kViewVoxel) * scale.spacing, scale);
   return scale;
 }
 

@@ -58,8 +58,11 @@ std::string describe_choice(const PointCloud& cloud, const Options& options) {
          length(scale.extent.z()) + "; using --voxel-size " +
          get_option(options, "patches.voxel_size") + " --patch-size " +
          get_option(options, "patches.patch_size") + " --patches.range_exponent " +
-         get_option(options, "patches.range_exponent") + " --planes.sigma " +
-         get_option(options, "planes.sigma") + " --planes.min_area " +
+         get_option(options, "patches.range_exponent") +
+         (options.patches.smoothing > 0
+              ? " --patches.smoothing " + get_option(options, "patches.smoothing")
+              : "") +
+         " --planes.sigma " + get_option(options, "planes.sigma") + " --planes.min_area " +
          get_option(options, "planes.min_area");
 }
 
@@ -68,7 +71,11 @@ std::string describe_scene(const Segmentation& scene, const PointCloud& cloud) {
   const auto on = std::ranges::count(scene.edges, true, &Edge::on);
   std::string text = std::to_string(cloud.size()) + " points, ";
   if (scene.method.has_graph) text += std::to_string(scene.graph.patches.size()) + " patches, ";
-  if (scene.method.has_planes) text += std::to_string(scene.planes.size()) + " planes, ";
+  if (scene.method.has_planes) {
+    const std::size_t planes = count_planes(scene.planes, PlaneRole::Support);
+    text += std::to_string(planes) + " planes, " + std::to_string(scene.planes.size() - planes) +
+            " faces, ";
+  }
   if (scene.method.has_graph) {
     text += std::to_string(scene.edges.size()) + " edges (" + std::to_string(on) + " ON, " +
             std::to_string(std::ssize(scene.edges) - on) + " OFF), ";
