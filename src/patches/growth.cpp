@@ -104,10 +104,10 @@ class Growth {
     for (std::size_t k = grid_.neighbour_offsets[voxel];
          k < grid_.neighbour_offsets[voxel + std::size_t{1}]; ++k) {
       const std::int32_t label = label_[grid_.neighbours[k]];
-      const bool ask = (label != last) & (label != kNone);
+      const std::int32_t ask = (label != last) & (label != kNone) ? 1 : 0;
       asked[count] = label;
-      count += ask ? 1 : 0;
-      last = ask ? label : last;
+      count += static_cast<std::size_t>(ask);
+      last ^= (last ^ label) & -ask;
     }
     Claim best{voxel, own, own, distance_[voxel]};
     for (std::size_t i = 0; i < count; ++i) {
