@@ -36,6 +36,11 @@ struct Float4 {
   friend Float4 operator/(Float4 a, Float4 b) { return _mm_div_ps(a.v, b.v); }
   Float4& operator+=(Float4 b) { return *this = *this + b; }
   friend Float4 max(Float4 a, Float4 b) { return _mm_max_ps(a.v, b.v); }
+  friend Float4 min(Float4 a, Float4 b) { return _mm_min_ps(a.v, b.v); }
+  /// Towards zero, to whole numbers; lanes beyond 32 bits give any number.
+  friend void truncate(Float4 a, std::int32_t* to) {
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm_cvttps_epi32(a.v));
+  }
   friend Float4 abs(Float4 a) { return _mm_andnot_ps(_mm_set1_ps(-0.0f), a.v); }
   /// Comparisons and masks are all bits of a lane, or none.
   friend Float4 operator<(Float4 a, Float4 b) { return _mm_cmplt_ps(a.v, b.v); }
@@ -113,6 +118,12 @@ struct Float4 {
   friend Float4 max(Float4 a, Float4 b) {
     return each(a, b, [](float s, float t) { return s > t ? s : t; });
   }
+  friend Float4 min(Float4 a, Float4 b) {
+    return each(a, b, [](float s, float t) { return s < t ? s : t; });
+  }
+  friend void truncate(Float4 a, std::int32_t* to) {
+    for (int i = 0; i < 4; ++i) to[i] = static_cast<std::int32_t>(a.v[i]);
+  }
   friend Float4 abs(Float4 a) {
     return each(a, a, [](float s, float) { return std::abs(s); });
   }
@@ -157,6 +168,12 @@ struct Float4 {
 };
 
 #endif
+
+/// True if the first three lanes are finite.
+inline bool is_finite3(Float4 a) {
+  const Float4 zero_or_nan = a - a;
+  return (sign_bits(zero_or_nan >= Float4(0.0f)) & 7) == 7;
+}
 
 /// The four lanes, added in their order.
 inline float sum(Float4 a) {

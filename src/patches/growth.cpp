@@ -100,14 +100,13 @@ class Growth {
     const std::int32_t own = label_[voxel];
     std::array<std::int32_t, 27> asked;
     std::size_t count = 0;
-    std::int32_t last = own;  // neighbours mostly share a label
+    std::int32_t previous = own;  // neighbours mostly share a label with the one before
     for (std::size_t k = grid_.neighbour_offsets[voxel];
          k < grid_.neighbour_offsets[voxel + std::size_t{1}]; ++k) {
       const std::int32_t label = label_[grid_.neighbours[k]];
-      const std::int32_t ask = (label != last) & (label != kNone) ? 1 : 0;
       asked[count] = label;
-      count += static_cast<std::size_t>(ask);
-      last ^= (last ^ label) & -ask;
+      count += (label != previous) & (label != kNone) ? 1 : 0;
+      previous = label;
     }
     Claim best{voxel, own, own, distance_[voxel]};
     for (std::size_t i = 0; i < count; ++i) {

@@ -12,6 +12,7 @@
 #include <tbb/parallel_sort.h>
 
 #include "patches/voxel_grid.hpp"
+#include "simd.hpp"
 
 namespace planescope {
 namespace {
@@ -49,19 +50,19 @@ struct Parts {
 // First pass: point_voxel becomes (block of the part) * 512 + cell, and the cell is marked.
 void mark(const PointCloud& cloud, const Eigen::Vector3f& lower, float inverse, std::size_t begin,
           std::size_t end, Part& part, std::uint32_t* point_voxel) {
+  const Float4 corner = Float4::load3(lower.data()), scale(inverse);
   std::int64_t last_key = -1;
   std::uint32_t block = 0;
   std::uint64_t* bits = nullptr;  // scans stay in a block for several points
   for (std::size_t i = begin; i != end; ++i) {
-    const Eigen::Vector3f& p = cloud.positions[i];
-    if (!is_finite(p)) {
+    const Float4 p = Float4::load3(cloud.positions[i].data());
+    if (!is_finite3(p)) {
       point_voxel[i] = kNoVoxel;
       continue;
     }
-    const Eigen::Vector3f scaled = (p - lower) * inverse;  // never negative: truncation is floor
-    const auto x = static_cast<std::int32_t>(scaled.x());
-    const auto y = static_cast<std::int32_t>(scaled.y());
-    const auto z = static_cast<std::int32_t>(scaled.z());
+    std::array<std::int32_t, 4> cell;
+    truncate((p - corner) * scale, cell.data());  // never negative: truncation is floor
+    const std::int32_t x = cell[0], y = cell[1], z = cell[2];
     const std::int64_t key = block_key(x >> 3, y >> 3, z >> 3);
     if (key != last_key) {
       block = part.index(static_cast<std::uint64_t>(key));

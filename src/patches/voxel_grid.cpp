@@ -3,6 +3,7 @@
 #include "patches/voxel_grid.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <sstream>
 
@@ -14,6 +15,7 @@
 #include "patches/occupancy.hpp"
 #include "patches/voxel_links.hpp"
 #include "planescope/error.hpp"
+#include "simd.hpp"
 
 namespace planescope {
 namespace {
@@ -22,25 +24,31 @@ using Range = tbb::blocked_range<std::size_t>;
 constexpr std::size_t kGrain = 16384;
 
 struct Bounds {
-  Eigen::Vector3f lower = Eigen::Vector3f::Constant(std::numeric_limits<float>::infinity());
-  Eigen::Vector3f upper = -lower;
+  Eigen::Vector3f lower, upper;
 };
 
 Bounds finite_bounds(const PointCloud& cloud) {
-  return tbb::parallel_reduce(
-      Range(0, cloud.size(), kGrain), Bounds{},
-      [&](const Range& range, Bounds bounds) {
+  struct Box {
+    Float4 lower{std::numeric_limits<float>::infinity()};
+    Float4 upper{-std::numeric_limits<float>::infinity()};
+  };
+  const Box box = tbb::parallel_reduce(
+      Range(0, cloud.size(), kGrain), Box{},
+      [&](const Range& range, Box part) {
         for (std::size_t i = range.begin(); i != range.end(); ++i) {
-          const Eigen::Vector3f& p = cloud.positions[i];
-          if (!is_finite(p)) continue;
-          bounds.lower = bounds.lower.cwiseMin(p);
-          bounds.upper = bounds.upper.cwiseMax(p);
+          const Float4 p = Float4::load3(cloud.positions[i].data());
+          if (!is_finite3(p)) continue;
+          part.lower = min(part.lower, p);
+          part.upper = max(part.upper, p);
         }
-        return bounds;
+        return part;
       },
-      [](const Bounds& a, const Bounds& b) {
-        return Bounds{a.lower.cwiseMin(b.lower), a.upper.cwiseMax(b.upper)};
+      [](const Box& a, const Box& b) {
+        return Box{min(a.lower, b.lower), max(a.upper, b.upper)};
       });
+  std::array<float, 4> lower{}, upper{};
+  box.lower.store(lower.data()), box.upper.store(upper.data());
+  return {{lower[0], lower[1], lower[2]}, {upper[0], upper[1], upper[2]}};
 }
 
 // Bounds of a cloud that a grid can be laid over.
