@@ -68,6 +68,7 @@ class Growth {
 
  private:
   static constexpr std::size_t kChunk = 1024;  // voxels a task
+  static constexpr std::size_t kAhead = 10;    // voxels between fetching a row and reading it
 
   // A voxel's move from one patch to another.
   struct Claim {
@@ -124,21 +125,40 @@ class Growth {
   // evaluation does not matter.
   void propose(bool free_only) {
     for_each_chunk([&](std::size_t chunk) {
+      std::array<std::uint32_t, kChunk> voxels;
+      const std::size_t count = take_marked(chunk, free_only, voxels.data());
       std::vector<Claim>& claims = chunks_[chunk].claims;
-      const std::size_t end = std::min(label_.size(), (chunk + 1) * kChunk);
-      for (std::size_t v = chunk * kChunk; v < end; v += 8) {
-        std::uint64_t marks;  // of eight voxels
-        std::memcpy(&marks, &frontier_[v], sizeof marks);
-        if (marks == 0) continue;
-        std::memset(&frontier_[v], 0, sizeof marks);
-        for (; marks != 0; marks &= marks - 1) {
-          const std::size_t voxel = v + static_cast<std::size_t>(std::countr_zero(marks)) / 8;
-          if (free_only && label_[voxel] != kNone) continue;
-          const Claim claim = best_claim(static_cast<std::uint32_t>(voxel));
-          if (claim.label != claim.old) claims.push_back(claim);
-        }
+      for (std::size_t i = 0; i < count; ++i) {
+        prefetch_row(voxels[std::min(i + kAhead, count - 1)]);
+        const Claim claim = best_claim(voxels[i]);
+        if (claim.label != claim.old) claims.push_back(claim);
       }
     });
+  }
+
+  // The voxels of a chunk that are in the frontier, which they leave. \returns how many.
+  std::size_t take_marked(std::size_t chunk, bool free_only, std::uint32_t* voxels) {
+    std::size_t count = 0;
+    const std::size_t end = std::min(label_.size(), (chunk + 1) * kChunk);
+    for (std::size_t v = chunk * kChunk; v < end; v += 8) {
+      std::uint64_t marks;  // of eight voxels
+      std::memcpy(&marks, &frontier_[v], sizeof marks);
+      if (marks == 0) continue;
+      std::memset(&frontier_[v], 0, sizeof marks);
+      for (; marks != 0; marks &= marks - 1) {
+        const std::size_t voxel = v + static_cast<std::size_t>(std::countr_zero(marks)) / 8;
+        voxels[count] = static_cast<std::uint32_t>(voxel);
+        count += !free_only || label_[voxel] == kNone ? 1 : 0;
+      }
+    }
+    return count;
+  }
+
+  // A frontier leaves gaps that the processor does not foresee.
+  void prefetch_row(std::uint32_t voxel) const {
+    __builtin_prefetch(grid_.neighbours.data() + grid_.neighbour_offsets[voxel]);
+    __builtin_prefetch(&normals_[voxel]);
+    __builtin_prefetch(&grid_.mean[voxel]);
   }
 
   // Makes the claims good: labels, then the next frontier and, beside it, the patches' means.
@@ -168,7 +188,11 @@ class Growth {
     std::uint8_t* marks = frontier_.data();
     for_each_chunk([&, offsets, neighbours, labels, marks](std::size_t chunk) {
       std::uint8_t nobody = 0;
-      for (const Claim& claim : chunks_[chunk].claims) {
+      const std::vector<Claim>& claims = chunks_[chunk].claims;
+      for (std::size_t i = 0; i < claims.size(); ++i) {
+        const Claim& claim = claims[i];
+        __builtin_prefetch(neighbours +
+                           offsets[claims[std::min(i + kAhead, claims.size() - 1)].voxel]);
         const std::int32_t label = claim.label;
         const std::uint32_t* n = neighbours + offsets[claim.voxel];
         const std::uint32_t* end = neighbours + offsets[claim.voxel + std::size_t{1}];
