@@ -20,6 +20,7 @@ namespace {
 constexpr std::size_t kChunk = 16384;  // points a task
 constexpr unsigned kCellBits = 9;      // a block has 512 cells
 constexpr unsigned kCellMask = (1u << kCellBits) - 1;
+static_assert(kMostBlocks + kChunk < (std::size_t{1} << (32 - kCellBits)) - 1);
 
 // Blocks that one thread met, in the order in which it met them, and where they are among all.
 struct Part {
@@ -34,14 +35,12 @@ struct Part {
   }
 };
 
-// The parts of one thread. A point's block and cell have 32 bits together: a part that might grow
-// beyond them is left for a new one.
+// The parts of one thread: one that might outgrow its limit is left for a new one.
 struct Parts {
-  static constexpr std::size_t kMostBlocks = (std::size_t{1} << (32 - kCellBits)) - kChunk - 1;
   std::vector<std::unique_ptr<Part>> parts;
 
-  Part& current() {
-    if (parts.empty() || parts.back()->bits.size() > kMostBlocks)
+  Part& current(std::size_t most_blocks) {
+    if (parts.empty() || parts.back()->bits.size() > most_blocks)
       parts.push_back(std::make_unique<Part>());
     return *parts.back();
   }
@@ -142,12 +141,12 @@ void number_points(const Part& part, const VoxelBlocks& all, std::uint32_t* begi
 }  // namespace
 
 VoxelBlocks find_occupied(const PointCloud& cloud, const Eigen::Vector3f& lower, float inverse,
-                          std::vector<std::uint32_t>& point_voxel) {
+                          std::vector<std::uint32_t>& point_voxel, std::size_t most_blocks) {
   point_voxel.resize(cloud.size());
   std::vector<Part*> chunk_part((cloud.size() + kChunk - 1) / kChunk);
   tbb::enumerable_thread_specific<Parts> local;
   tbb::parallel_for(std::size_t{0}, chunk_part.size(), [&](std::size_t chunk) {
-    chunk_part[chunk] = &local.local().current();
+    chunk_part[chunk] = &local.local().current(most_blocks);
     mark(cloud, lower, inverse, chunk * kChunk, std::min(cloud.size(), (chunk + 1) * kChunk),
          *chunk_part[chunk], point_voxel.data());
   });
