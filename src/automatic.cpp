@@ -47,8 +47,8 @@ Options Options::automatic(const PointCloud& cloud) {
   if (!(voxel <= kLargestVoxel)) {
     std::ostringstream message;
     message << "the cloud spans " << extent << " m and its points lie " << scale.spacing
-            << " m apart: is it in millimetres? Scale it to metres, or give the options yourself "
-               "(--preset room)";
+            << " m apart, too far for surfaces: is it in millimetres? Scale it to metres, or give "
+               "the options yourself (--preset room)";
     throw Error(Error::Kind::Computation, message.str());
   }
   options.patches.voxel_size = two_digits(voxel);

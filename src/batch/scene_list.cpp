@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <map>
+#include <set>
 
 #include "planescope/error.hpp"
 
@@ -57,15 +58,22 @@ std::vector<BatchScene> read_list(const fs::path& file) {
   return scenes;
 }
 
+/// A name of a folder: never hidden, and never "." or "..".
+std::string visible(const std::string& name) { return name.starts_with('.') ? "_" + name : name; }
+
 /// The name without its ending where that is unique, else the whole path as one word.
 void name_scenes(std::vector<BatchScene>& scenes) {
   std::map<std::string, int> uses;
-  for (const BatchScene& scene : scenes) ++uses[scene.file.stem().string()];
+  for (const BatchScene& scene : scenes) ++uses[visible(scene.file.stem().string())];
+  std::set<std::string> taken;
   for (BatchScene& scene : scenes) {
-    scene.name = scene.file.stem().string();
-    if (uses[scene.name] == 1) continue;
-    scene.name = fs::absolute(scene.file).lexically_normal().relative_path().string();
-    std::ranges::replace(scene.name, '/', '_');
+    scene.name = visible(scene.file.stem().string());
+    if (uses[scene.name] > 1) {
+      scene.name = fs::absolute(scene.file).lexically_normal().relative_path().string();
+      std::ranges::replace(scene.name, '/', '_');
+      scene.name = visible(scene.name);
+    }
+    while (!taken.insert(scene.name).second) scene.name += "_";  // a/b_c.ply and a_b/c.ply
   }
 }
 

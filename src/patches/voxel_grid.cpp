@@ -3,7 +3,6 @@
 #include "patches/voxel_grid.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <sstream>
 #include <utility>
@@ -11,9 +10,9 @@
 #include <tbb/blocked_range.h>
 #include <tbb/combinable.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
 #include <tbb/task_arena.h>
 
+#include "patches/grid_bounds.hpp"
 #include "patches/voxel_blocks.hpp"
 #include "planescope/error.hpp"
 
@@ -26,28 +25,6 @@ constexpr unsigned kAxisBits = 21;              // voxels along an axis: at most
 constexpr unsigned kBlockBits = kAxisBits - 3;  // blocks along an axis
 constexpr std::uint64_t kBlockMask = (1u << kBlockBits) - 1;
 
-struct Bounds {
-  Eigen::Vector3f lower = Eigen::Vector3f::Constant(std::numeric_limits<float>::infinity());
-  Eigen::Vector3f upper = -lower;
-};
-
-Bounds finite_bounds(const PointCloud& cloud) {
-  return tbb::parallel_reduce(
-      Range(0, cloud.size(), kGrain), Bounds{},
-      [&](const Range& range, Bounds bounds) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i) {
-          const Eigen::Vector3f& p = cloud.positions[i];
-          if (!is_finite(p)) continue;
-          bounds.lower = bounds.lower.cwiseMin(p);
-          bounds.upper = bounds.upper.cwiseMax(p);
-        }
-        return bounds;
-      },
-      [](const Bounds& a, const Bounds& b) {
-        return Bounds{a.lower.cwiseMin(b.lower), a.upper.cwiseMax(b.upper)};
-      });
-}
-
 // Which block and which cell of it a point falls into.
 struct Address {
   std::uint64_t block;
@@ -55,11 +32,12 @@ struct Address {
 };
 
 struct Addressing {
-  Eigen::Vector3f lower;
+  GridBounds bounds;
   float inverse;
 
   Address operator()(const Eigen::Vector3f& p) const {
-    const Eigen::Vector3f scaled = (p - lower) * inverse;  // never negative: truncation is floor
+    const Eigen::Vector3f scaled =
+        (p - bounds.lower) * inverse;  // never negative: truncation is floor
     const auto x = static_cast<std::uint32_t>(scaled.x());
     const auto y = static_cast<std::uint32_t>(scaled.y());
     const auto z = static_cast<std::uint32_t>(scaled.z());
@@ -70,18 +48,15 @@ struct Addressing {
 };
 
 Addressing make_addressing(const PointCloud& cloud, double voxel_size) {
-  const Bounds bounds = finite_bounds(cloud);
-  if (!(bounds.lower.x() <= bounds.upper.x())) {
-    throw Error(Error::Kind::Input, "the cloud has no finite point; expected at least one");
-  }
-  const double extent = (bounds.upper - bounds.lower).cast<double>().maxCoeff();
-  if (extent / voxel_size >= double(1u << kAxisBits) - 8) {
+  const double longest = (double(1u << kAxisBits) - 8) * voxel_size;
+  const GridBounds bounds = find_grid_bounds(cloud, longest);
+  if (!(bounds.extent() < longest)) {
     std::ostringstream message;
-    message << "the cloud spans " << extent << " m, more than " << (1u << kAxisBits)
+    message << "the cloud spans " << bounds.extent() << " m, more than " << (1u << kAxisBits)
             << " voxels of " << voxel_size << " m; remove outliers or choose a larger --voxel-size";
     throw Error(Error::Kind::Computation, message.str());
   }
-  return {bounds.lower, static_cast<float>(1.0 / voxel_size)};
+  return {bounds, static_cast<float>(1.0 / voxel_size)};
 }
 
 // The set of occupied cells: its union over threads does not depend on how points were dealt out.
@@ -103,7 +78,7 @@ Occupancy find_occupied(const PointCloud& cloud, const Addressing& address) {
     std::uint64_t last_key = ~std::uint64_t{0};
     std::array<std::uint64_t, 8>* last = nullptr;  // scans stay in a block for several points
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
-      if (!is_finite(cloud.positions[i])) continue;
+      if (!address.bounds.takes(cloud.positions[i])) continue;
       const Address at = address(cloud.positions[i]);
       if (at.block != last_key) {
         last = &mine.block(at.block);
@@ -161,7 +136,7 @@ void locate_points(const PointCloud& cloud, const Addressing& address, const Blo
     std::uint64_t last_key = ~std::uint64_t{0};
     const VoxelBlock* last = nullptr;
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
-      if (!is_finite(cloud.positions[i])) {
+      if (!address.bounds.takes(cloud.positions[i])) {
         grid.point_voxel[i] = kNoVoxel;
         continue;
       }
@@ -309,7 +284,8 @@ VoxelGrid make_voxel_grid(const PointCloud& cloud, double voxel_size, bool with_
   const Blocks blocks = number_voxels(find_occupied(cloud, address));
   VoxelGrid grid;
   grid.size = static_cast<float>(voxel_size);
-  grid.lower = address.lower;
+  grid.lower = address.bounds.lower;
+  grid.stray_points = address.bounds.strays;
   locate_points(cloud, address, blocks, grid);
   average_points(cloud, grid, blocks.voxel_count, with_color && cloud.has_colors());
   link_voxels(blocks, grid);
