@@ -242,7 +242,8 @@ void check_file(const Result& result, const fs::path& folder, const std::string&
 }
 
 Result load_result(const fs::path& folder) {
-  if (!fs::is_directory(folder)) {
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored)) {
     throw Error(Error::Kind::Input, folder.string() +
                                         ": not a folder; name one that `planescope segment -o` "
                                         "made");

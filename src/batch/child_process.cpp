@@ -80,6 +80,7 @@ void ChildProcess::start(const std::vector<std::string>& words, const fs::path& 
   constexpr int kWrite = O_WRONLY | O_CREAT | O_TRUNC;
   const Descriptor in("/dev/null", O_RDONLY), to(out, kWrite), errors(err, kWrite);
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   const EndingPause known;  // no child that ask_to_end() does not know of

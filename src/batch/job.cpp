@@ -119,7 +119,8 @@ void write_record(const JobRecord& record, const fs::path& job_folder) {
 }
 
 std::optional<JobRecord> read_record(const fs::path& job_folder) try {
-  if (!fs::exists(job_folder / "job.json")) return std::nullopt;
+  std::error_code ignored;
+  if (!fs::exists(job_folder / "job.json", ignored)) return std::nullopt;
   const nlohmann::json all = read_json(job_folder / "job.json", kHint);
   return JobRecord{all.at("settings_key"), all.at("input_key"),      all.at("done"),
                    all.at("reason"),       all.at("peak_memory_mb"), all.at("measures")};

