@@ -17,6 +17,7 @@
 #include "depth_shading.hpp"
 #include "marks.hpp"
 #include "planescope/error.hpp"
+#include "scene_box.hpp"
 #include "sensor_noise.hpp"
 #include "thinning.hpp"
 #include "validate.hpp"
@@ -43,33 +44,19 @@ void place(vtkRenderer& renderer, const Camera& camera, const double* clipping_r
   active.SetClippingRange(clipping_range[0], clipping_range[1]);
 }
 
-/// Nearest and farthest depth before the camera of the points that `taken` takes.
-template <class Taken>
-std::array<double, 2> depths_of(const PointCloud& cloud, const Camera& camera, const Taken& taken) {
+/// Nearest and farthest depth of what is drawn before the camera, with room to spare: both
+/// renderers share it, and with it the depth buffer.
+std::array<double, 2> depth_range(const PointCloud& cloud, const SceneBox& box,
+                                  const Camera& camera) {
   const std::size_t step = 1 + cloud.size() / kDepthSample;
   double nearest = std::numeric_limits<double>::infinity(), farthest = 1e-3;
   for (std::size_t i = 0; i < cloud.size(); i += step) {
-    if (!is_finite(cloud.positions[i]) || !taken(i)) continue;
+    if (!box.holds(cloud.positions[i])) continue;
     const double depth =
         (cloud.positions[i].cast<double>() - camera.position).dot(camera.forward());
     if (depth > 0) nearest = std::min(nearest, depth);
     farthest = std::max(farthest, depth);
   }
-  return {nearest, farthest};
-}
-
-/// The range of depth of what is drawn, with room to spare: both renderers share it, and with it
-/// the depth buffer. Strays do not count: a thousand times further away than the rest, they would
-/// put all of it before the nearest depth.
-std::array<double, 2> depth_range(const Result& result, const Camera& camera) {
-  constexpr double kStray = 1000;
-  auto range = depths_of(result.cloud, camera, [](std::size_t) { return true; });
-  const auto in_patches = depths_of(result.cloud, camera, [&](std::size_t i) {
-    return i < result.point_patch.size() && result.point_patch[i] != kNone;
-  });
-  const bool any = in_patches[0] < in_patches[1];
-  if (any && range[1] > kStray * in_patches[1]) range = in_patches;
-  const auto [nearest, farthest] = range;
   return {std::clamp(0.8 * nearest, 1e-3 * farthest, 0.99 * farthest), 1.5 * farthest};
 }
 
@@ -214,7 +201,8 @@ Image Drawing::draw(Layer layers, const std::array<int, 2>& size, Annotation ann
   const int scale = supersample(size);
   if (!points_) upload(size, scale);
   show(layers, colors, layout, scale);
-  const std::array<double, 2> depths = depth_range(scene_.result, eye_);
+  const std::array<double, 2> depths =
+      depth_range(scene_.result.cloud, SceneBox(scene_.result), eye_);
   place(*points_renderer_, eye_, depths.data());
   place(*shapes_renderer_, eye_, depths.data());
   Image image = picture(size, scale, annotation, layout);
