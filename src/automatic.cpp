@@ -42,7 +42,8 @@ bool scatters(const PointCloud& cloud, const CloudScale& scale) {
 [[noreturn]] void refuse_units(const CloudScale& scale) {
   std::ostringstream message;
   message << "the cloud spans " << scale.extent.norm() << " m and its points lie " << scale.spacing
-          << " m apart: is it in millimetres? Scale it to metres, or give the options yourself "
+          << " m apart, too far for surfaces: is it in millimetres? Scale it to metres, or give "
+             "the options yourself "
              "(--preset room)";
   throw Error(Error::Kind::Computation, message.str());
 }

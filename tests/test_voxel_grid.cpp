@@ -102,8 +102,9 @@ TEST(VoxelGrid, SameAtAnyNumberOfThreads) {
 TEST(Occupancy, SameHoweverManyPartsAThreadMakes) {
   const PointCloud cloud = random_cloud(60000);
   std::vector<std::uint32_t> one_part, many_parts;
-  const VoxelBlocks one = find_occupied(cloud, Eigen::Vector3f::Zero(), 100, one_part);
-  const VoxelBlocks many = find_occupied(cloud, Eigen::Vector3f::Zero(), 100, many_parts, 10);
+  const GridBounds bounds{Eigen::Vector3f::Zero(), Eigen::Vector3f::Constant(1e9f)};
+  const VoxelBlocks one = find_occupied(cloud, bounds, 100, one_part);
+  const VoxelBlocks many = find_occupied(cloud, bounds, 100, many_parts, 10);
   EXPECT_EQ(one_part, many_parts);
   EXPECT_EQ(one.keys, many.keys);
   EXPECT_EQ(one.voxel_count, many.voxel_count);

@@ -153,6 +153,10 @@ struct CloudScale {
 /// \throws Error{Kind::Input} no finite point.
 CloudScale measure_scale(const PointCloud& cloud);
 
+/// What is likely wrong where the options do not fit the cloud: voxels smaller than the spacing,
+/// millimetres taken for metres. Empty where nothing is.
+std::string scale_warning(const CloudScale& scale, const Options& options);
+
 /// One line of option_table().
 struct OptionInfo {
   std::string name;     ///< `planes.sigma`

@@ -13,6 +13,7 @@
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/engine_arguments.hpp"
+#include "cli/memory.hpp"
 #include "cli/method_arguments.hpp"
 #include "cli/run_info.hpp"
 #include "cli/staged_folder.hpp"
@@ -39,7 +40,7 @@ struct Arguments {
   std::string method = "ours";
   bool no_pictures = false;
   std::size_t threads = 0;
-  std::uint64_t max_points = ReadLimits{}.max_points;
+  LimitArguments limits;
 };
 
 /// A length for people: `7.5 mm`, `2.31 m`.
@@ -51,8 +52,7 @@ std::string length(double metres) {
 }
 
 /// What --preset auto chose, and from what.
-std::string describe_choice(const PointCloud& cloud, const Options& options) {
-  const CloudScale scale = measure_scale(cloud);
+std::string describe_choice(const CloudScale& scale, const Options& options) {
   return "preset auto: spacing " + length(scale.spacing) + ", noise " + length(scale.noise) +
          ", extent " + length(scale.extent.x()) + " x " + length(scale.extent.y()) + " x " +
          length(scale.extent.z()) + "; using --voxel-size " +
@@ -80,13 +80,19 @@ std::string describe_scene(const Segmentation& scene, const PointCloud& cloud) {
     text += std::to_string(scene.edges.size()) + " edges (" + std::to_string(on) + " ON, " +
             std::to_string(std::ssize(scene.edges) - on) + " OFF), ";
   }
-  return text + std::to_string(scene.segments.segments.size()) + " segments";
+  text += std::to_string(scene.segments.segments.size()) + " segments";
+  if (const std::size_t strays = scene.graph.stray_points; strays > 0)
+    text += "; left out " + std::to_string(strays) + " points far away from all others";
+  return text;
 }
 
 Segmentation compute(const Arguments& a, const PointCloud& cloud) {
   const Options options = a.engine.resolve(cloud);
-  if (a.engine.preset() == "auto" && !a.console.quiet) {
-    a.console.say(describe_choice(cloud, options));
+  if (!a.console.quiet) {
+    const CloudScale scale = measure_scale(cloud);
+    if (a.engine.preset() == "auto") a.console.say(describe_choice(scale, options));
+    const std::string warning = scale_warning(scale, options);
+    if (!warning.empty()) a.console.say("warning: " + warning);
   }
   for (const OptionInfo& info : option_table()) {
     a.console.detail("  " + info.name + " = " + get_option(options, info.name));
@@ -98,6 +104,13 @@ Segmentation compute(const Arguments& a, const PointCloud& cloud) {
 const std::vector<std::string> kPictures = {"overview.png", "segments.png", "planes.png",
                                             "graph.png"};
 
+std::vector<std::string> result_files() {
+  std::vector<std::string> names = {"result.json", "run.json",  "points.pcd",
+                                    "patches.vtp", "graph.vtp", "planes.vtp"};
+  names.insert(names.end(), kPictures.begin(), kPictures.end());
+  return names;
+}
+
 /// All outputs, in place only when all of them are whole.
 void write(const Arguments& a, const RenderOptions& drawing, const Segmentation& scene,
            const PointCloud& cloud, RunInfo& run, const Stopwatch& since_start) {
@@ -107,6 +120,7 @@ void write(const Arguments& a, const RenderOptions& drawing, const Segmentation&
   save(scene, cloud, staged.path(), input);
   save_geometry(scene, cloud, staged.path());
   run.write = watch.lap();
+  if (!a.no_pictures) require_memory_for_drawing(drawing);
   if (!a.no_pictures) render_pictures(scene, cloud, drawing, staged.path(), input);
   run.pictures = watch.lap();
   run.total = Stopwatch(since_start).lap();
@@ -136,6 +150,8 @@ void run(Arguments& a) {
   if (a.folder.empty())
     throw Error(Error::Kind::Usage, "-o is empty; name a folder for the result");
   check_writable(a.folder);
+  refuse_overwriting(a.scene, a.folder, result_files());
+  a.limits.apply();
   std::unique_ptr<TbbLimit> limit;
   if (a.threads > 0) {
     limit = std::make_unique<TbbLimit>(TbbLimit::max_allowed_parallelism, a.threads);
@@ -143,7 +159,7 @@ void run(Arguments& a) {
   RunInfo info;
   info.threads = TbbLimit::active_value(TbbLimit::max_allowed_parallelism);
   Stopwatch watch;
-  const PointCloud cloud = read_cloud(a.scene, {.max_points = a.max_points});
+  const PointCloud cloud = read_cloud(a.scene, a.limits.read());
   const double read_time = watch.lap();
   const Segmentation scene = compute(a, cloud);
   info.stages = scene.times;
@@ -172,9 +188,7 @@ Command add_segment(CLI::App& program) {
   command->add_option("--threads", a->threads, "Threads at most (all); the result is the same")
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
-  command->add_option("--max-points", a->max_points, "Refuse clouds of more points")
-      ->check(CLI::PositiveNumber)
-      ->type_name("N");
+  a->limits.declare(*command);
   a->console.declare(*command);
   return {command, [a] { run(*a); }};
 }

@@ -241,6 +241,7 @@ PatchGraph make_patches(const PointCloud& cloud, const PatchOptions& options,
   PatchGraph graph;
   graph.voxel_size = static_cast<float>(options.voxel_size);
   graph.patch_size = static_cast<float>(options.patch_size);
+  graph.stray_points = grid.stray_points;
   graph.patches = describe_patches({grid, warp, mean, normals}, members);
   graph.adjacency = find_adjacency(grid, label, members);
   graph.point_patch = label_points(grid.point_voxel, label);

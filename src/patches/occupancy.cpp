@@ -47,15 +47,15 @@ struct Parts {
 };
 
 // First pass: point_voxel becomes (block of the part) * 512 + cell, and the cell is marked.
-void mark(const PointCloud& cloud, const Eigen::Vector3f& lower, float inverse, std::size_t begin,
+void mark(const PointCloud& cloud, const GridBounds& bounds, float inverse, std::size_t begin,
           std::size_t end, Part& part, std::uint32_t* point_voxel) {
-  const Float4 corner = Float4::load3(lower.data()), scale(inverse);
+  const Float4 corner = Float4::load3(bounds.lower.data()), scale(inverse);
   std::int64_t last_key = -1;
   std::uint32_t block = 0;
   std::uint64_t* bits = nullptr;  // scans stay in a block for several points
   for (std::size_t i = begin; i != end; ++i) {
     const Float4 p = Float4::load3(cloud.positions[i].data());
-    if (!is_finite3(p)) {
+    if (!is_finite3(p) || (bounds.strays > 0 && !bounds.takes(cloud.positions[i]))) {
       point_voxel[i] = kNoVoxel;
       continue;
     }
@@ -140,14 +140,14 @@ void number_points(const Part& part, const VoxelBlocks& all, std::uint32_t* begi
 
 }  // namespace
 
-VoxelBlocks find_occupied(const PointCloud& cloud, const Eigen::Vector3f& lower, float inverse,
+VoxelBlocks find_occupied(const PointCloud& cloud, const GridBounds& bounds, float inverse,
                           std::vector<std::uint32_t>& point_voxel, std::size_t most_blocks) {
   point_voxel.resize(cloud.size());
   std::vector<Part*> chunk_part((cloud.size() + kChunk - 1) / kChunk);
   tbb::enumerable_thread_specific<Parts> local;
   tbb::parallel_for(std::size_t{0}, chunk_part.size(), [&](std::size_t chunk) {
     chunk_part[chunk] = &local.local().current(most_blocks);
-    mark(cloud, lower, inverse, chunk * kChunk, std::min(cloud.size(), (chunk + 1) * kChunk),
+    mark(cloud, bounds, inverse, chunk * kChunk, std::min(cloud.size(), (chunk + 1) * kChunk),
          *chunk_part[chunk], point_voxel.data());
   });
   std::vector<Part*> parts;

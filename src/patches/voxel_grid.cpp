@@ -3,15 +3,13 @@
 #include "patches/voxel_grid.hpp"
 
 #include <algorithm>
-#include <array>
-#include <limits>
 #include <sstream>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
 #include <tbb/task_arena.h>
 
+#include "patches/grid_bounds.hpp"
 #include "patches/occupancy.hpp"
 #include "patches/voxel_links.hpp"
 #include "planescope/error.hpp"
@@ -23,44 +21,13 @@ namespace {
 using Range = tbb::blocked_range<std::size_t>;
 constexpr std::size_t kGrain = 16384;
 
-struct Bounds {
-  Eigen::Vector3f lower, upper;
-};
-
-Bounds finite_bounds(const PointCloud& cloud) {
-  struct Box {
-    Float4 lower{std::numeric_limits<float>::infinity()};
-    Float4 upper{-std::numeric_limits<float>::infinity()};
-  };
-  const Box box = tbb::parallel_reduce(
-      Range(0, cloud.size(), kGrain), Box{},
-      [&](const Range& range, Box part) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i) {
-          const Float4 p = Float4::load3(cloud.positions[i].data());
-          if (!is_finite3(p)) continue;
-          part.lower = min(part.lower, p);
-          part.upper = max(part.upper, p);
-        }
-        return part;
-      },
-      [](const Box& a, const Box& b) {
-        return Box{min(a.lower, b.lower), max(a.upper, b.upper)};
-      });
-  std::array<float, 4> lower{}, upper{};
-  box.lower.store(lower.data()), box.upper.store(upper.data());
-  return {{lower[0], lower[1], lower[2]}, {upper[0], upper[1], upper[2]}};
-}
-
 // Bounds of a cloud that a grid can be laid over.
-Bounds checked_bounds(const PointCloud& cloud, double voxel_size) {
-  const Bounds bounds = finite_bounds(cloud);
-  if (!(bounds.lower.x() <= bounds.upper.x())) {
-    throw Error(Error::Kind::Input, "the cloud has no finite point; expected at least one");
-  }
-  const double extent = (bounds.upper - bounds.lower).cast<double>().maxCoeff();
-  if (extent / voxel_size >= double(1u << kAxisBits) - 16) {
+GridBounds checked_bounds(const PointCloud& cloud, double voxel_size) {
+  const double longest = (double(1u << kAxisBits) - 16) * voxel_size;
+  const GridBounds bounds = find_grid_bounds(cloud, longest);
+  if (!(bounds.extent() < longest)) {
     std::ostringstream message;
-    message << "the cloud spans " << extent << " m, more than " << (1u << kAxisBits)
+    message << "the cloud spans " << bounds.extent() << " m, more than " << (1u << kAxisBits)
             << " voxels of " << voxel_size << " m; remove outliers or choose a larger --voxel-size";
     throw Error(Error::Kind::Computation, message.str());
   }
@@ -103,9 +70,11 @@ void average_points(const PointCloud& cloud, VoxelGrid& grid, std::size_t voxel_
 VoxelGrid make_voxel_grid(const PointCloud& cloud, double voxel_size, bool with_color) {
   VoxelGrid grid;
   grid.size = static_cast<float>(voxel_size);
-  grid.lower = checked_bounds(cloud, voxel_size).lower;
+  const GridBounds bounds = checked_bounds(cloud, voxel_size);
+  grid.lower = bounds.lower;
+  grid.stray_points = bounds.strays;
   const VoxelBlocks blocks =
-      find_occupied(cloud, grid.lower, static_cast<float>(1.0 / voxel_size), grid.point_voxel);
+      find_occupied(cloud, bounds, static_cast<float>(1.0 / voxel_size), grid.point_voxel);
   average_points(cloud, grid, blocks.voxel_count, with_color && cloud.has_colors());
   link_voxels(blocks, grid);
   return grid;

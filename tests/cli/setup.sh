@@ -19,3 +19,6 @@ plane() { # NAME SIZE
 }
 plane plane 1
 plane millimetres 3000
+# A scanner's sentinel among the points.
+sed 's/vertex 10000/vertex 10001/' "$shared/plane.ply" >"$shared/stray.ply"
+echo '1e9 0 -1e9' >>"$shared/stray.ply"
