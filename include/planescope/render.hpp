@@ -12,6 +12,7 @@
 #include <Eigen/Core>
 
 #include "planescope/camera.hpp"
+#include "planescope/compare.hpp"
 #include "planescope/pipeline.hpp"
 #include "planescope/result.hpp"
 
@@ -120,6 +121,11 @@ void render_pictures(const Segmentation& scene, const PointCloud& cloud,
 /// `folder`, each whole or not at all. \throws Error{Kind::Input} cannot be written.
 void save_geometry(const Segmentation& scene, const PointCloud& cloud,
                    const std::filesystem::path& folder);
+
+/// The edges of graph.vtp in a result folder, for compare_results().
+/// \param result what load_result() read from there.
+/// \throws Error{Kind::Input} a file is missing or malformed, or not of that result.
+std::vector<EdgeState> stored_edges(const Result& result, const std::filesystem::path& folder);
 
 /// The OpenGL renderer's name, such as `llvmpipe (LLVM 15.0.6, 256 bits)`, and the versions of VTK,
 /// for --version. \throws Error{Kind::Rendering} no context.
