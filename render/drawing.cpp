@@ -25,6 +25,8 @@ namespace planescope::draw {
 namespace {
 
 constexpr std::size_t kDepthSample = 200'000;
+constexpr double kRound = 5;  // [pixel of the picture] from here on corners of squares are seen
+
 vtkSmartPointer<vtkRenderer> make_renderer(Window& window, int layer) {
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
   renderer->SetLayer(layer);
@@ -137,8 +139,9 @@ void Drawing::show(Layer layers, const PointColors& colors, const Layout& layout
   given_colors_ != nullptr ? points_->show(*given_colors_) : points_->show(colors);
   const double side = std::sqrt(static_cast<double>(layout.width) * layout.height);
   const double height = static_cast<double>(layout.height) * scale;
+  const double depth = eye_.parallel() ? 1 : (eye_.focal - eye_.position).norm();
   points_->scale({pixels_per_metre(eye_, height, 1), options_.point_size * scale,
-                  static_cast<double>(scale), side * scale / 20});
+                  static_cast<double>(scale), side * scale / 20, kRound * scale, depth});
   const Pen pen{scale * std::max(0.6, side / 1440), height};
   if (shading_) {  // at 1920 x 1080: two pixels and six
     const double size = scale * side / 1440;

@@ -84,7 +84,7 @@ double luma(const Pixel& color);
 
 inline constexpr Pixel kUnlabelled = {150, 150, 150};  ///< points in no segment
 inline constexpr Pixel kInk = {35, 38, 43};            ///< text
-inline constexpr Pixel kEdgeOn = {38, 70, 150};        ///< ON edges: dark, thin, solid
-inline constexpr Pixel kEdgeOff = {226, 74, 14};       ///< OFF edges: bright, thick, dashed
+inline constexpr Pixel kEdgeOn = {74, 128, 208};       ///< ON edges: light, thin, solid
+inline constexpr Pixel kEdgeOff = {176, 22, 14};       ///< OFF edges: dark, thick, dashed
 
 }  // namespace planescope::draw

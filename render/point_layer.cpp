@@ -24,6 +24,9 @@ namespace {
 
 constexpr double kOverlap = 1.7;  // splat over spacing: random samples close to the eye
 
+constexpr double kDisc = 1.13;  // diameter of a disc over the side of a square of its area
+constexpr double kSurface = 6;  // points: patches of fewer are strays between surfaces
+
 /// The median of values, 0 without any.
 float median(std::vector<float> values) {
   if (values.empty()) return 0;
@@ -32,7 +35,8 @@ float median(std::vector<float> values) {
   return *middle;
 }
 
-/// sqrt(area / points) of each patch [m], held within a factor of four of their median.
+/// sqrt(area / points) of each patch [m], from a quarter to twice their median; strays no
+/// more than half of it.
 std::vector<float> patch_spacings(const SceneData& scene) {
   vtkDataArray& area = *scene.patches->GetPointData()->GetArray("area");
   vtkDataArray& count = *scene.patches->GetPointData()->GetArray("point_count");
@@ -42,7 +46,10 @@ std::vector<float> patch_spacings(const SceneData& scene) {
     spacings.push_back(static_cast<float>(std::sqrt(std::max(ratio, 0.0))));
   }
   const float usual = median(spacings);
-  for (float& spacing : spacings) spacing = std::clamp(spacing, usual / 4, usual * 4);
+  for (std::size_t i = 0; i < spacings.size(); ++i) {
+    const bool stray = count.GetTuple1(static_cast<vtkIdType>(i)) < kSurface;
+    spacings[i] = std::clamp(spacings[i], usual / 4, stray ? usual / 2 : usual * 2);
+  }
   return spacings;
 }
 
@@ -98,9 +105,10 @@ void PointLayer::add_points() {
   data_->SetVerts(vertices);
 }
 
-vtkSmartPointer<vtkFloatArray> PointLayer::splats() const {
+vtkSmartPointer<vtkFloatArray> PointLayer::splats() {
   const std::vector<float> spacing = patch_spacings(scene_);
   const float usual = spacing.empty() ? cloud_spacing(scene_.result.cloud) : median(spacing);
+  usual_splat_ = kOverlap * static_cast<double>(usual);
   return make_column<vtkFloatArray>("splat", points_.size(), [&](std::size_t i) {
     const std::int32_t patch = scene_.result.point_patch[points_[i]];
     return kOverlap * (patch == kNone ? usual : spacing[static_cast<std::size_t>(patch)]);
@@ -142,7 +150,16 @@ void PointLayer::show(const std::vector<Pixel>& colors) {
   mapper_->SelectColorArray(kName);
 }
 
-void PointLayer::scale(const PointScale& scale) { set_point_scale(*actor_, scale); }
+void PointLayer::scale(const PointScale& scale) {
+  PointScale shaped = scale;
+  const double usual = scale.fixed > 0
+                           ? scale.fixed
+                           : usual_splat_ * scale.pixels_per_metre_at_1m / scale.usual_depth;
+  const bool discs = scale.round_from > 0 && usual >= scale.round_from;
+  use_shape(*actor_, discs ? SplatShape::Disc : SplatShape::Square);
+  if (discs) shaped.pixels_per_metre_at_1m *= kDisc;
+  set_point_scale(*actor_, shaped);
+}
 
 void use_splats(vtkActor& actor, vtkPolyDataMapper& mapper, const char* splat) {
   const bool by_array = *splat != '\0';
@@ -159,6 +176,18 @@ void use_splats(vtkActor& actor, vtkPolyDataMapper& mapper, const char* splat) {
       std::string("//VTK::PositionVC::Impl\n  gl_PointSize = clamp(") +
           (by_array ? "splat * splatScale / gl_Position.w" : "splatLeast") +
           ", splatLeast, splatMost);\n",
+      false);
+}
+
+void use_shape(vtkActor& actor, SplatShape shape) {
+  constexpr const char* kPlace = "//VTK::Clip::Impl";  // before anything is worked out
+  vtkShaderProperty& shader = *actor.GetShaderProperty();
+  shader.ClearFragmentShaderReplacement(kPlace, true);
+  if (shape == SplatShape::Square) return;
+  shader.AddFragmentShaderReplacement(
+      kPlace, true,
+      "vec2 fromMiddle = gl_PointCoord - 0.5;\n"
+      "  if (dot(fromMiddle, fromMiddle) > 0.25) discard;\n  //VTK::Clip::Impl\n",
       false);
 }
 

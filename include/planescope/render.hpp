@@ -26,7 +26,7 @@ enum class Layer : std::uint8_t {
   Patches = 2,   ///< points coloured by patch
   Segments = 4,  ///< points coloured by segment
   Planes = 8,    ///< translucent outlined hull of each supporting plane's segments
-  Graph = 16,    ///< patch centroids and edges: ON thin and blue, OFF thick, dashed and red
+  Graph = 16,    ///< patch centroids and edges: ON thin and light, OFF thick, dashed, dark
 };
 constexpr Layer operator|(Layer a, Layer b) {
   return static_cast<Layer>(static_cast<std::uint8_t>(a) | static_cast<std::uint8_t>(b));
@@ -64,7 +64,7 @@ struct CameraOptions {
 struct AnnotationOptions {
   std::string title;       ///< at the top left; empty: none
   bool legend = false;     ///< what the colours say; that of the graph is always there
-  bool labels = false;     ///< numbers of segments at their centroids
+  bool labels = false;     ///< numbers of segments at their centroids, or beside what hides these
   bool scale_bar = false;  ///< a length in metres, at the bottom right
   bool axes = false;       ///< directions of x, y and z, at the bottom left
 };
