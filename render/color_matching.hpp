@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "palette.hpp"
+#include "color_assignment.hpp"
 
 /// \file One colour for one object, in all segmentations of a scene.
 namespace planescope::draw {

@@ -63,7 +63,9 @@ std::vector<LegendEntry> ramp_legend(const std::array<float, 2>& range, const Ma
   std::vector<LegendEntry> legend;
   for (const double t : {0.0, 0.5, 1.0}) {
     const double value = range[0] + t * (range[1] - range[0]);
-    legend.push_back(box(map(t), short_number(value) + unit));
+    // No -0.00445 m: what is nothing of the range is 0.
+    const bool none = std::abs(value) < 0.005 * std::abs(range[1] - range[0]);
+    legend.push_back(box(map(t), short_number(none ? 0 : value) + unit));
   }
   return legend;
 }

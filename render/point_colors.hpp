@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include "color_assignment.hpp"
 #include "image.hpp"
 #include "palette.hpp"
 #include "planescope/render.hpp"
@@ -42,7 +43,13 @@ struct SceneColors {
 
 /// Segments that lie on planes get calm colours, objects vivid ones; what touches in the graph is
 /// kept apart. A plane has the hue of the largest segment on it.
-SceneColors choose_colors(const SceneData& scene, Palette palette = Palette::Standard);
+/// \param given colours that segments have already and keep; see assign_colors().
+SceneColors choose_colors(const SceneData& scene, Palette palette = Palette::Standard,
+                          const std::vector<std::optional<Pixel>>& given = {});
+
+/// The colours that a picture with these options has. \throws Error{Kind::Input} the folder that
+/// they name is none; Error{Kind::Usage} it is of another cloud.
+SceneColors scene_colors(const SceneData& scene, const RenderOptions& options);
 
 /// Segments that touch: pairs of label - 1.
 Neighbours segment_neighbours(const SceneData& scene);

@@ -8,6 +8,7 @@
 
 #include <vtkCellArray.h>
 #include <vtkDataObject.h>
+#include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -20,46 +21,6 @@
 #include "vtk_arrays.hpp"
 
 namespace planescope::draw {
-namespace {
-
-constexpr double kOverlap = 1.7;  // splat over spacing: random samples close to the eye
-
-constexpr double kDisc = 1.13;  // diameter of a disc over the side of a square of its area
-constexpr double kSurface = 6;  // points: patches of fewer are strays between surfaces
-
-/// The median of values, 0 without any.
-float median(std::vector<float> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-/// sqrt(area / points) of each patch [m], from a quarter to twice their median; strays no
-/// more than half of it.
-std::vector<float> patch_spacings(const SceneData& scene) {
-  vtkDataArray& area = *scene.patches->GetPointData()->GetArray("area");
-  vtkDataArray& count = *scene.patches->GetPointData()->GetArray("point_count");
-  std::vector<float> spacings;
-  for (vtkIdType i = 0; i < area.GetNumberOfTuples(); ++i) {
-    const double ratio = area.GetTuple1(i) / std::max(count.GetTuple1(i), 1.0);
-    spacings.push_back(static_cast<float>(std::sqrt(std::max(ratio, 0.0))));
-  }
-  const float usual = median(spacings);
-  for (std::size_t i = 0; i < spacings.size(); ++i) {
-    const bool stray = count.GetTuple1(static_cast<vtkIdType>(i)) < kSurface;
-    spacings[i] = std::clamp(spacings[i], usual / 4, stray ? usual / 2 : usual * 2);
-  }
-  return spacings;
-}
-
-/// [m] What stands in for it where the method has no patches.
-float cloud_spacing(const PointCloud& cloud) {
-  return static_cast<float>(measure_scale(cloud).spacing);
-}
-
-}  // namespace
-
 std::vector<std::uint32_t> visible_points(const SceneData& scene, const Cutaway& cut) {
   const Result& result = scene.result;
   std::vector<std::uint32_t> points;
@@ -72,7 +33,7 @@ std::vector<std::uint32_t> visible_points(const SceneData& scene, const Cutaway&
 }
 
 PointLayer::PointLayer(const SceneData& scene, const PointPainter& painter,
-                       std::vector<std::uint32_t> points)
+                       std::vector<std::uint32_t> points, const std::vector<float>& diameters)
     : scene_(scene),
       painter_(painter),
       points_(std::move(points)),
@@ -80,7 +41,8 @@ PointLayer::PointLayer(const SceneData& scene, const PointPainter& painter,
       mapper_(vtkSmartPointer<vtkPolyDataMapper>::New()),
       actor_(vtkSmartPointer<vtkActor>::New()) {
   add_points();
-  data_->GetPointData()->AddArray(splats());
+  data_->GetPointData()->AddArray(make_column<vtkFloatArray>(
+      "splat", points_.size(), [&](std::size_t i) { return diameters[i]; }));
   mapper_->SetInputData(data_);
   mapper_->SetColorModeToDirectScalars();
   mapper_->SetScalarModeToUsePointFieldData();
@@ -103,16 +65,6 @@ void PointLayer::add_points() {
   vtkNew<vtkCellArray> vertices;
   vertices->SetData(offsets, ids);
   data_->SetVerts(vertices);
-}
-
-vtkSmartPointer<vtkFloatArray> PointLayer::splats() {
-  const std::vector<float> spacing = patch_spacings(scene_);
-  const float usual = spacing.empty() ? cloud_spacing(scene_.result.cloud) : median(spacing);
-  usual_splat_ = kOverlap * static_cast<double>(usual);
-  return make_column<vtkFloatArray>("splat", points_.size(), [&](std::size_t i) {
-    const std::int32_t patch = scene_.result.point_patch[points_[i]];
-    return kOverlap * (patch == kNone ? usual : spacing[static_cast<std::size_t>(patch)]);
-  });
 }
 
 void PointLayer::show(const PointColors& way) {
@@ -151,14 +103,8 @@ void PointLayer::show(const std::vector<Pixel>& colors) {
 }
 
 void PointLayer::scale(const PointScale& scale) {
-  PointScale shaped = scale;
-  const double usual = scale.fixed > 0
-                           ? scale.fixed
-                           : usual_splat_ * scale.pixels_per_metre_at_1m / scale.usual_depth;
-  const bool discs = scale.round_from > 0 && usual >= scale.round_from;
-  use_shape(*actor_, discs ? SplatShape::Disc : SplatShape::Square);
-  if (discs) shaped.pixels_per_metre_at_1m *= kDisc;
-  set_point_scale(*actor_, shaped);
+  use_shape(*actor_, scale.shape);
+  set_point_scale(*actor_, scale);
 }
 
 void use_splats(vtkActor& actor, vtkPolyDataMapper& mapper, const char* splat) {

@@ -61,6 +61,14 @@ Camera render(const std::filesystem::path& folder, const RenderOptions& options,
   return render_one(draw::scene_data(folder), options, png);
 }
 
+ColorDifferences color_differences(const std::filesystem::path& folder,
+                                   const RenderOptions& options) {
+  const draw::SceneData scene = draw::scene_data(folder);
+  const draw::Neighbours pairs = draw::segment_neighbours(scene);
+  const auto least = draw::least_differences(draw::scene_colors(scene, options).segments, pairs);
+  return {least[0], least[1], least[2], least[3], least[4], pairs.size()};
+}
+
 void render_orbit(const std::filesystem::path& folder, const RenderOptions& options, int frames,
                   const std::filesystem::path& png) {
   draw::validate(options);

@@ -74,6 +74,8 @@ struct RenderOptions {
   Layer layers = Layer::Segments;
   ColorBy color_by = ColorBy::Layers;
   Palette palette = Palette::Standard;
+  /// Result folder of the same cloud: segments that are the same thing have its colours.
+  std::optional<std::filesystem::path> colors_of;
   std::vector<std::uint32_t> truth;  ///< true label of each point, for ColorBy::Truth; 0: none
   View view = View::Auto;
   CameraOptions camera;
@@ -88,6 +90,8 @@ struct RenderOptions {
   bool cull_front =
       true;  ///< leave out planes (and their points) that stand between the camera and the room
   std::vector<std::int32_t> cutaway;  ///< leave out these planes instead; empty: see cull_front
+  std::size_t thin_from = 3'000'000;  ///< scenes of as many points are thinned to the nearest
+                                      ///< one in each pixel that is drawn; it saves memory
   double point_size =
       0;  ///< [pixel of the final picture] 0: from the points' spacing, so that surfaces close
 };
@@ -103,6 +107,19 @@ Camera render(const Segmentation& scene, const PointCloud& cloud, const RenderOp
 /// Draws a stored result folder, nothing recomputed.
 Camera render(const std::filesystem::path& folder, const RenderOptions& options,
               const std::filesystem::path& png);
+
+/// How different the colours of touching segments look to readers: the least Oklab distance
+/// (Ottosson 2020) of all pairs that touch, 0 to 1; 1 where none do. 0.02 is about what is just
+/// seen. Colour-blind readers are simulated by Machado, Oliveira and Fernandes (IEEE TVCG 15(6),
+/// 2009) at full severity; grey is what is left in print without colours.
+struct ColorDifferences {
+  double normal = 1, protanopia = 1, deuteranopia = 1, tritanopia = 1, grey = 1;
+  std::size_t pairs = 0;  ///< of segments that touch
+};
+
+/// Of the colours that a picture of this folder with these options has. \throws Error as render().
+ColorDifferences color_differences(const std::filesystem::path& folder,
+                                   const RenderOptions& options = {});
 
 /// Once around the scene in `frames` pictures, 2 to 360, as an animated PNG that plays for ten
 /// seconds and starts again; programs that know no animation show the first picture.
