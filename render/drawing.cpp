@@ -207,6 +207,8 @@ Image Drawing::picture(const std::array<int, 2>& size, int scale, const Annotati
 Image Drawing::draw(Layer layers, const std::array<int, 2>& size, Annotation annotation,
                     ColorBy by) {
   const PointColors colors = point_colors(layers, by);
+  if ((colors.patches || by == ColorBy::Patch) && colors_.patches.empty())
+    colors_.patches = patch_colors(scene_, options_.palette);
   complete(annotation, colors, size);
   const Layout layout(size[0], size[1], annotation);
   eye_ = camera(layout);

@@ -121,9 +121,12 @@ SceneColors choose_colors(const SceneData& scene, Palette palette,
   SceneColors colors;
   colors.segments = assign_colors(groups, palettes, segment_neighbours(scene), given);
   colors.planes = plane_colors(result, colors.segments, palettes[0]);
-  colors.patches = assign_colors(std::vector<std::size_t>(result.patch_count, 0), {palettes[1]},
-                                 patch_neighbours(scene));
   return colors;
+}
+
+std::vector<Pixel> patch_colors(const SceneData& scene, Palette palette) {
+  return assign_colors(std::vector<std::size_t>(scene.result.patch_count, 0),
+                       {candidates(palette)[1]}, patch_neighbours(scene));
 }
 
 SceneColors scene_colors(const SceneData& scene, const RenderOptions& options) {

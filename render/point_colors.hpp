@@ -35,7 +35,7 @@ PointColors point_colors(Layer layers, ColorBy by);
 struct SceneColors {
   std::vector<Pixel> segments;            ///< index = label - 1
   std::vector<Pixel> planes;              ///< index = plane
-  std::vector<Pixel> patches;             ///< index = patch
+  std::vector<Pixel> patches;             ///< index = patch; empty until somebody asks
   std::vector<std::uint32_t> truth;       ///< of each point: 0, or an index into regions + 1
   std::vector<Pixel> regions;             ///< of the truth
   std::array<float, 2> heights = {0, 1};  ///< [m] lowest and highest along up
@@ -46,6 +46,9 @@ struct SceneColors {
 /// \param given colours that segments have already and keep; see assign_colors().
 SceneColors choose_colors(const SceneData& scene, Palette palette = Palette::Standard,
                           const std::vector<std::optional<Pixel>>& given = {});
+
+/// Colours of patches, such that those that touch differ. There are many: it takes a while.
+std::vector<Pixel> patch_colors(const SceneData& scene, Palette palette);
 
 /// The colours that a picture with these options has. \throws Error{Kind::Input} the folder that
 /// they name is none; Error{Kind::Usage} it is of another cloud.
