@@ -168,11 +168,11 @@ void Drawing::show(Layer layers, const PointColors& colors, const Layout& layout
   if (has(layers, Layer::Graph)) add(graph_layer(scene_, shot_.cut(), eye_, pen));
 }
 
-void Drawing::complete(Annotation& annotation, const PointColors& colors,
+void Drawing::complete(Annotation& annotation, Layer layers, const PointColors& colors,
                        const std::array<int, 2>& size) const {
   const AnnotationOptions& asked = options_.annotation;
   if (asked.legend) {
-    const auto legend = color_legend(scene_, colors_, colors);
+    const auto legend = color_legend(scene_, colors_, colors, layers);
     annotation.legend.insert(annotation.legend.end(), legend.begin(), legend.end());
   }
   shorten_legend(annotation, size[0], size[1]);
@@ -209,7 +209,7 @@ Image Drawing::draw(Layer layers, const std::array<int, 2>& size, Annotation ann
   const PointColors colors = point_colors(layers, by);
   if ((colors.patches || by == ColorBy::Patch) && colors_.patches.empty())
     colors_.patches = patch_colors(scene_, options_.palette);
-  complete(annotation, colors, size);
+  complete(annotation, layers, colors, size);
   const Layout layout(size[0], size[1], annotation);
   eye_ = camera(layout);
   mark(annotation, layout);

@@ -52,7 +52,7 @@ class Drawing {
   void make_renderers();
   void upload(const std::array<int, 2>& size, int scale);
   Camera camera(const Layout& layout) const;
-  void complete(Annotation& annotation, const PointColors& colors,
+  void complete(Annotation& annotation, Layer layers, const PointColors& colors,
                 const std::array<int, 2>& size) const;
   void mark(Annotation& annotation, const Layout& layout) const;
   PointScale point_scale(const std::array<int, 2>& size, int scale) const;

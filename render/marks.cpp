@@ -79,7 +79,7 @@ std::string length_text(double metres) {
 }
 
 std::vector<LegendEntry> color_legend(const SceneData& scene, const SceneColors& colors,
-                                      const PointColors& way) {
+                                      const PointColors& way, Layer layers) {
   switch (way.by) {
     case ColorBy::Segment:
       return segment_legend(scene, colors);
@@ -94,6 +94,7 @@ std::vector<LegendEntry> color_legend(const SceneData& scene, const SceneColors&
               box(direction_color({0, 0, 1}), "z")};
     case ColorBy::Layers:
       if (way.segments) return segment_legend(scene, colors);
+      if (way.faded && has(layers, Layer::Planes)) return plane_legend(scene, colors);
       if (way.scene && !way.faded && !way.patches && !scene.result.has_colors)
         return ramp_legend(colors.heights, height_color, " m");
       return {};

@@ -12,9 +12,10 @@
 /// \file What a picture says of its scene: legends, numbers, lengths and directions.
 namespace planescope::draw {
 
-/// What the colours of the points say; empty where they speak for themselves (the cloud's own).
+/// What the colours of the points or, over grey ones, of the planes say; empty where they speak for
+/// themselves (the cloud's own).
 std::vector<LegendEntry> color_legend(const SceneData& scene, const SceneColors& colors,
-                                      const PointColors& way);
+                                      const PointColors& way, Layer layers);
 
 /// The numbers of segments, largest first: at their centroids or, where something else is seen
 /// there, as near to them as they lie on what they name. Segments of which less is seen than their

@@ -106,13 +106,20 @@ TEST(Legend, OfASceneWithoutColorsSaysTheHeights) {
   SceneData scene = scene_data(toy.scene, toy.cloud);
   SceneColors colors = choose_colors(scene);
   colors.heights = {0, 2.4F};
-  EXPECT_TRUE(color_legend(scene, colors, point_colors(Layer::Scene, ColorBy::Layers)).empty());
+  EXPECT_TRUE(color_legend(scene, colors, point_colors(Layer::Scene, ColorBy::Layers), Layer::Scene)
+                  .empty());
   scene.result.has_colors = false;
-  const auto legend = color_legend(scene, colors, point_colors(Layer::Scene, ColorBy::Layers));
+  const auto legend =
+      color_legend(scene, colors, point_colors(Layer::Scene, ColorBy::Layers), Layer::Scene);
   ASSERT_EQ(legend.size(), 3U);
   EXPECT_EQ(legend[2].text, "2.4 m");
-  EXPECT_TRUE(color_legend(scene, colors, point_colors(Layer::Graph, ColorBy::Layers)).empty())
+  EXPECT_TRUE(color_legend(scene, colors, point_colors(Layer::Graph, ColorBy::Layers), Layer::Graph)
+                  .empty())
       << "points under a graph are grey";
+  const auto planes = color_legend(scene, colors, point_colors(Layer::Planes, ColorBy::Layers),
+                                   Layer::Planes | Layer::Graph);
+  ASSERT_EQ(planes.size(), 6U);
+  EXPECT_EQ(planes[0].text, "plane 0: 12.00 m\u00b2");
 }
 
 TEST(Legend, ThatIsTooLongSaysHowManyAreLeftOut) {
