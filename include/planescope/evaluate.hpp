@@ -63,7 +63,7 @@ struct TruthPolicy {
 
 /// The truth to score against: 0 where a point does not count. Labels of `policy` are those of the
 /// file, before they are divided.
-/// 	hrows as merge_truth(); Error{Kind::Input} different lengths.
+/// \throws as merge_truth(); Error{Kind::Input} different lengths.
 std::vector<std::uint32_t> apply_policy(std::span<const std::uint32_t> predicted,
                                         std::span<const std::uint32_t> truth,
                                         const TruthPolicy& policy);

@@ -23,6 +23,7 @@ Command add_segment(CLI::App& program);
 Command add_render(CLI::App& program);
 Command add_evaluate(CLI::App& program);
 Command add_figure(CLI::App& program);
+Command add_compare(CLI::App& program);
 Command add_batch(CLI::App& program);
 Command add_synthesize(CLI::App& program);
 

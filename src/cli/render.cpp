@@ -23,6 +23,14 @@ struct Arguments {
   int orbit = 0;
 };
 
+/// How well readers tell the colours of touching segments apart.
+nlohmann::ordered_json colors_json(const Arguments& a) {
+  const ColorDifferences least = color_differences(a.folder, a.picture.options());
+  return {{"touching_pairs", least.pairs},  {"normal", least.normal},
+          {"protanopia", least.protanopia}, {"deuteranopia", least.deuteranopia},
+          {"tritanopia", least.tritanopia}, {"grey", least.grey}};
+}
+
 void run(const Arguments& a) {
   if (a.png.extension() != ".png") {
     throw Error(Error::Kind::Usage,
@@ -38,6 +46,7 @@ void run(const Arguments& a) {
     const Camera camera = render(a.folder, options, a.png);
     if (!a.save_camera.empty()) write_camera(camera, a.save_camera);
     outcome["camera"] = nlohmann::ordered_json::parse(camera_json(camera));
+    if (a.console.json) outcome["segment_colors"] = colors_json(a);
   }
   a.console.say(a.png.string());
   if (a.console.json) {
