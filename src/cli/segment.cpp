@@ -15,6 +15,7 @@
 #include "cli/engine_arguments.hpp"
 #include "cli/method_arguments.hpp"
 #include "cli/run_info.hpp"
+#include "cli/scene_arguments.hpp"
 #include "cli/staged_folder.hpp"
 #include "cli/values.hpp"
 #include "io/whole_file.hpp"
@@ -35,7 +36,8 @@ struct Arguments {
   EngineArguments engine;
   MethodArguments peers;
   CameraArguments camera;
-  std::filesystem::path scene, folder;
+  SceneArguments scene;
+  std::filesystem::path folder;
   std::string method = "ours";
   bool no_pictures = false;
   std::size_t threads = 0;
@@ -93,8 +95,8 @@ const std::vector<std::string> kPictures = {"overview.png", "segments.png", "pla
 
 /// All outputs, in place only when all of them are whole.
 void write(const Arguments& a, const RenderOptions& drawing, const Segmentation& scene,
-           const PointCloud& cloud, RunInfo& run, const Stopwatch& since_start) {
-  const InputInfo input{a.scene.filename().string(), hash_file(a.scene)};
+           const Scene& source, RunInfo& run, const Stopwatch& since_start) {
+  const auto& [cloud, input] = source;
   StagedFolder staged(a.folder);
   Stopwatch watch;
   save(scene, cloud, staged.path(), input);
@@ -122,6 +124,7 @@ void print_json(const Arguments& a) {
 void run(Arguments& a) {
   const Stopwatch since_start;
   check_method("--method", a.method);
+  a.scene.check();
   a.engine.check();
   a.peers.check();
   RenderOptions drawing;
@@ -136,13 +139,14 @@ void run(Arguments& a) {
   RunInfo info;
   info.threads = TbbLimit::active_value(TbbLimit::max_allowed_parallelism);
   Stopwatch watch;
-  const PointCloud cloud = read_cloud(a.scene, {.max_points = a.max_points});
+  const Scene source = a.scene.load(a.console, a.max_points);
+  const PointCloud& cloud = source.cloud;
   const double read_time = watch.lap();
   const Segmentation scene = compute(a, cloud);
   info.stages = scene.times;
   info.stages.read = read_time;
   a.console.say(describe_scene(scene, cloud));
-  write(a, drawing, scene, cloud, info, since_start);
+  write(a, drawing, scene, source, info, since_start);
   a.console.detail(info.brief());
   if (a.console.json) print_json(a);
 }
@@ -152,7 +156,7 @@ void run(Arguments& a) {
 Command add_segment(CLI::App& program) {
   const auto a = std::make_shared<Arguments>();
   CLI::App* command = program.add_subcommand("segment", "Segment a point cloud, and draw it");
-  command->add_option("SCENE", a->scene, "Point cloud: PCD or PLY")->required();
+  a->scene.declare(*command);
   command->add_option("-o,--output", a->folder, "Folder for the result, made where it is missing")
       ->required()
       ->type_name("DIR");
