@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "cli/console.hpp"
 #include "cli/scene_arguments.hpp"
 #include "cli/values.hpp"
 #include "io/numbers.hpp"
@@ -76,25 +77,44 @@ void DepthArguments::declare_camera(CLI::App& command) {
       ->capture_default_str()
       ->type_name("M")
       ->group(kGroup);
-  command.add_option("--max-depth", given_.max_depth, "Farther returns are left out [m]")
+  command.add_option("--max-depth", max_depth_, "Farther returns are left out [m] (sequences: 5)")
       ->check(CLI::Range(0.0, 1e9))
       ->type_name("M")
       ->group(kGroup);
   command.add_flag("--no-color", no_color_, "Colour images are not read")->group(kGroup);
 }
 
-void DepthArguments::declare_frames(CLI::App& command) {
+void DepthArguments::declare_sequence(CLI::App& command) {
   command.add_option("--frames", frames_, "FIRST:LAST:STEP, from 0, LAST included (all)")
       ->type_name("RANGE")
       ->group(kGroup);
   command.add_option("--layout", layout_, "tum | redwood | frames (by the files that are there)")
       ->type_name("NAME")
       ->group(kGroup);
+  command.add_option("--fusion-voxel", fusion.voxel_size, "Voxels of the fusion [m]")
+      ->check(CLI::Range(0.001, 1.0))
+      ->capture_default_str()
+      ->type_name("M")
+      ->group(kGroup);
+  command
+      .add_option("--truncation", fusion.truncation,
+                  "Distances are fused up to this [m] (four voxels)")
+      ->check(CLI::Range(0.002, 100.0))
+      ->type_name("M")
+      ->group(kGroup);
+  command
+      .add_option("--min-observations", fusion.min_observations,
+                  "Surface that fewer frames saw is left out")
+      ->check(CLI::Range(1, 255))
+      ->capture_default_str()
+      ->type_name("N")
+      ->group(kGroup);
 }
 
 SequenceOptions DepthArguments::options() const {
   SequenceOptions options = given_;
   options.color = !no_color_;
+  if (max_depth_) options.max_depth = *max_depth_;
   if (!intrinsics_.empty()) parse_camera(intrinsics_, options);
   if (!frames_.empty()) parse_frames(frames_, options);
   if (options.min_depth >= options.max_depth) {
@@ -106,6 +126,24 @@ SequenceOptions DepthArguments::options() const {
   }
   if (!options.layout) refuse("--layout", layout_, "tum | redwood | frames");
   return options;
+}
+
+Sequence DepthArguments::open(const std::filesystem::path& folder, const Console& console) const {
+  constexpr double kSurest = 5;  // [m]
+  SequenceOptions wanted = options();
+  if (!max_depth_) wanted.max_depth = std::max(kSurest, 2 * wanted.min_depth);
+  Sequence sequence(folder, wanted);
+  std::string text = folder.string() + ": " + std::to_string(sequence.size()) + " frames, layout " +
+                     std::string(name(sequence.layout())) + ", camera from " +
+                     sequence.camera_source();
+  if (sequence.lost() > 0) {
+    text += "; " + std::to_string(sequence.lost()) + " frames left out: tracking lost";
+  }
+  if (sequence.unposed() > 0) {
+    text += "; " + std::to_string(sequence.unposed()) + " frames left out: no pose";
+  }
+  console.say(text);
+  return sequence;
 }
 
 }  // namespace planescope::cli

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/console.hpp"
+#include "cli/run_info.hpp"
 #include "planescope/error.hpp"
 #include "planescope/io.hpp"
 
@@ -39,7 +40,8 @@ DepthCamera camera_of(const SequenceOptions& options, const DepthImage& depth,
 }  // namespace
 
 void SceneArguments::declare(CLI::App& command) {
-  command.add_option("SCENE", scene_, "Point cloud: PCD or PLY");
+  command.add_option("SCENE", scene_,
+                     "Point cloud: PCD or PLY; or a folder with an RGB-D sequence");
   command.add_option("--depth", depth_, "A single view instead: depth image, PNG of 16-bit grey")
       ->type_name("PNG")
       ->group(DepthArguments::kGroup);
@@ -47,6 +49,7 @@ void SceneArguments::declare(CLI::App& command) {
       ->type_name("IMAGE")
       ->group(DepthArguments::kGroup);
   camera_.declare_camera(command);
+  camera_.declare_sequence(command);
 }
 
 void SceneArguments::check() const {
@@ -63,8 +66,31 @@ void SceneArguments::check() const {
 
 Scene SceneArguments::load(const Console& console, std::uint64_t max_points) const {
   if (!depth_.empty()) return load_view(console);
+  if (std::filesystem::is_directory(scene_)) return load_sequence(console);
   return {read_cloud(scene_, {.max_points = max_points}),
           {scene_.filename().string(), hash_file(scene_)}};
+}
+
+Scene SceneArguments::load_sequence(const Console& console) const {
+  const Sequence sequence = camera_.open(scene_, console);
+  const TsdfVolume volume = fuse(sequence, camera_.fusion, console);
+  const std::filesystem::path folder =
+      scene_.filename().empty() ? scene_.parent_path().filename() : scene_.filename();
+  const FusionOptions& fusion = volume.options();
+  const std::string identity = sequence.hash() + " " + std::to_string(fusion.voxel_size) + " " +
+                               std::to_string(fusion.truncation) + " " +
+                               std::to_string(fusion.min_observations);
+  return {volume.points(), {folder.string(), hash_text(identity)}};
+}
+
+TsdfVolume fuse(const Sequence& sequence, const FusionOptions& options, const Console& console) {
+  Stopwatch watch;
+  TsdfVolume volume = planescope::fuse(sequence, options, console.progress());
+  const double time = watch.lap();
+  console.say(std::to_string(volume.frames()) + " frames fused in " + duration(time) + ", " +
+              duration(time / volume.frames()) + " a frame; " +
+              std::to_string(volume.block_count()) + " blocks of voxels");
+  return volume;
 }
 
 Scene SceneArguments::load_view(const Console& console) const {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "planescope/cloud.hpp"
+#include "planescope/fusion.hpp"
 #include "planescope/result.hpp"
 #include "planescope/sequence.hpp"
 
@@ -27,16 +28,25 @@ class DepthArguments {
 
   /// Adds --intrinsics, --depth-scale, --min-depth, --max-depth, --no-color.
   void declare_camera(CLI::App& command);
-  /// Adds --frames and --layout.
-  void declare_frames(CLI::App& command);
+  /// Adds --frames and --layout, and what fusion takes: --fusion-voxel, --truncation,
+  /// --min-observations.
+  void declare_sequence(CLI::App& command);
 
   /// What was given. \throws Error{Kind::Usage} bad text; Error{Kind::Input} the camera's file
   /// cannot be read.
   SequenceOptions options() const;
 
+  /// Opens a sequence; says on `console` what it found. Farther than 5 m is left out unless
+  /// --max-depth was given: structured light is off by centimetres there.
+  /// \throws Error as Sequence does.
+  Sequence open(const std::filesystem::path& folder, const Console& console) const;
+
+  FusionOptions fusion;  ///< as given
+
  private:
   std::string intrinsics_, frames_, layout_;
   SequenceOptions given_;
+  std::optional<double> max_depth_;
   bool no_color_ = false;
 };
 
@@ -46,7 +56,10 @@ struct Scene {
   InputInfo input;
 };
 
-/// SCENE or --depth: a point cloud's file or a single view.
+/// Fuses a sequence with a progress bar, and says how much came of it.
+TsdfVolume fuse(const Sequence& sequence, const FusionOptions& options, const Console& console);
+
+/// SCENE or --depth: a point cloud's file, a folder with a sequence, or a single view.
 class SceneArguments {
  public:
   void declare(CLI::App& command);
@@ -60,6 +73,7 @@ class SceneArguments {
 
  private:
   Scene load_view(const Console& console) const;
+  Scene load_sequence(const Console& console) const;
 
   std::filesystem::path scene_, depth_, color_;
   DepthArguments camera_;
