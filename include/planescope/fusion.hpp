@@ -24,7 +24,8 @@ namespace planescope {
 struct FusionOptions {
   double voxel_size = 0.01;  ///< [m] 0.001 to 1
   double truncation = 0;     ///< [m] distances are kept up to this; at least 2 voxels; 0: 4 voxels
-  std::uint32_t min_observations = 1;  ///< voxels seen in fewer frames make no surface, 1 to 255
+  std::uint32_t min_observations = 0;  ///< voxels seen in fewer frames make no surface, 1 to 255;
+                                       ///< 0: 3, but 1 while fewer than 10 frames are fused
 };
 
 /// A surface as triangles.
@@ -51,8 +52,8 @@ class TsdfVolume {
   TsdfVolume& operator=(TsdfVolume&&) noexcept;
 
   /// Fuses one frame: in each voxel near what its rays hit, the distance along the ray is averaged,
-  /// a frame's weight falling with the square of the depth, as structured light's precision does
-  /// (Khoshelham and Elberink, Sensors 2012: by its fourth power; errors of poses do not).
+  /// weighted by the precision that the depth has. Surface that the frame looks through is worn
+  /// away.
   /// \param color of the depth's size, or empty. \param pose camera to world.
   /// \throws Error{Kind::Usage} sizes differ; Error{Kind::Computation} the pose lies 2^20 blocks
   /// or more from the first one's.

@@ -77,7 +77,7 @@ void DepthArguments::declare_camera(CLI::App& command) {
       ->capture_default_str()
       ->type_name("M")
       ->group(kGroup);
-  command.add_option("--max-depth", max_depth_, "Farther returns are left out [m] (sequences: 5)")
+  command.add_option("--max-depth", max_depth_, "Farther returns are left out [m] (sequences: 4)")
       ->check(CLI::Range(0.0, 1e9))
       ->type_name("M")
       ->group(kGroup);
@@ -104,9 +104,8 @@ void DepthArguments::declare_sequence(CLI::App& command) {
       ->group(kGroup);
   command
       .add_option("--min-observations", fusion.min_observations,
-                  "Surface that fewer frames saw is left out")
+                  "Surface that fewer frames saw is left out (3; of less than 10 frames 1)")
       ->check(CLI::Range(1, 255))
-      ->capture_default_str()
       ->type_name("N")
       ->group(kGroup);
 }
@@ -129,7 +128,7 @@ SequenceOptions DepthArguments::options() const {
 }
 
 Sequence DepthArguments::open(const std::filesystem::path& folder, const Console& console) const {
-  constexpr double kSurest = 5;  // [m]
+  constexpr double kSurest = 4;  // [m]
   SequenceOptions wanted = options();
   if (!max_depth_) wanted.max_depth = std::max(kSurest, 2 * wanted.min_depth);
   Sequence sequence(folder, wanted);

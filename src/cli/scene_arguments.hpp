@@ -36,7 +36,7 @@ class DepthArguments {
   /// cannot be read.
   SequenceOptions options() const;
 
-  /// Opens a sequence; says on `console` what it found. Farther than 5 m is left out unless
+  /// Opens a sequence; says on `console` what it found. Farther than 4 m is left out unless
   /// --max-depth was given: structured light is off by centimetres there.
   /// \throws Error as Sequence does.
   Sequence open(const std::filesystem::path& folder, const Console& console) const;

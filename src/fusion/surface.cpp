@@ -24,12 +24,12 @@ struct Surface {
   std::vector<std::uint32_t> first;
 };
 
-Surface find_all(const fusion::BlockMap& map, const FusionOptions& options) {
+Surface find_all(const fusion::BlockMap& map, double voxel_size, std::uint32_t least) {
   Surface surface;
   surface.blocks = map.sorted();
   surface.parts.resize(surface.blocks.size());
   tbb::parallel_for(std::size_t{0}, surface.blocks.size(), [&](std::size_t b) {
-    surface.parts[b] = fusion::find_surface(map, *surface.blocks[b], options);
+    surface.parts[b] = fusion::find_surface(map, *surface.blocks[b], voxel_size, least);
   });
   std::uint32_t points = 0;
   for (const BlockSurface& part : surface.parts) {
@@ -92,13 +92,13 @@ using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
 /// Two triangles across each edge of the grid that the surface crosses, between the four cells
 /// around it.
-Triangles join_block(const fusion::BlockMap& map, const FusionOptions& options,
-                     const Surface& surface, const VertexFinder& vertices, std::size_t block) {
+Triangles join_block(const fusion::BlockMap& map, std::uint32_t least, const Surface& surface,
+                     const VertexFinder& vertices, std::size_t block) {
   Triangles triangles;
   for (int index = 0; index < fusion::kVoxels; ++index) {
     const Eigen::Vector3i cell(index % kSide, index / kSide % kSide, index / (kSide * kSide));
     for (int axis = 0; axis < 3; ++axis) {
-      const int sign = fusion::crossing(map, *surface.blocks[block], index, axis, options);
+      const int sign = fusion::crossing(map, *surface.blocks[block], index, axis, least);
       if (sign == 0) continue;
       const Eigen::Vector3i b = Eigen::Vector3i::Unit((axis + 1) % 3);
       const Eigen::Vector3i c = Eigen::Vector3i::Unit((axis + 2) % 3);
@@ -119,15 +119,16 @@ Triangles join_block(const fusion::BlockMap& map, const FusionOptions& options,
 }  // namespace
 
 PointCloud TsdfVolume::points() const {
-  return collect(find_all(field_->blocks, field_->options), field_->colored, field_->origin);
+  return collect(find_all(field_->blocks, field_->options.voxel_size, field_->least()),
+                 field_->colored, field_->origin);
 }
 
 Mesh TsdfVolume::mesh() const {
-  const Surface surface = find_all(field_->blocks, field_->options);
+  const Surface surface = find_all(field_->blocks, field_->options.voxel_size, field_->least());
   const VertexFinder vertices(surface);
   std::vector<Triangles> parts(surface.blocks.size());
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t b) {
-    parts[b] = join_block(field_->blocks, field_->options, surface, vertices, b);
+    parts[b] = join_block(field_->blocks, field_->least(), surface, vertices, b);
   });
   Mesh mesh{collect(surface, field_->colored, field_->origin), {}};
   for (const Triangles& part : parts) {
@@ -144,7 +145,9 @@ PointCloud TsdfVolume::block_points(const BlockKey& key) const {
   PointCloud cloud;
   cloud.origin = field_->origin;
   if (const Block* block = field_->blocks.find(key)) {
-    append(fusion::find_surface(field_->blocks, *block, field_->options), field_->colored, cloud);
+    append(
+        fusion::find_surface(field_->blocks, *block, field_->options.voxel_size, field_->least()),
+        field_->colored, cloud);
   }
   cloud.width = static_cast<std::uint32_t>(cloud.size());
   return cloud;

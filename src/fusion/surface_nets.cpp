@@ -18,8 +18,8 @@ struct Voxel {
   bool known = false;
 };
 
-Voxel value_of(const Block& block, std::size_t voxel, const FusionOptions& options) {
-  return {block.distance[voxel], block.seen[voxel] >= options.min_observations};
+Voxel value_of(const Block& block, std::size_t voxel, std::uint32_t least) {
+  return {block.distance[voxel], block.seen[voxel] >= least};
 }
 
 std::size_t index_of(int x, int y, int z) {
@@ -29,7 +29,7 @@ std::size_t index_of(int x, int y, int z) {
 /// A block's voxels, and the next ones of its neighbours: the corners of all its cells.
 class Corners {
  public:
-  Corners(const BlockMap& blocks, const Block& block, const FusionOptions& options) {
+  Corners(const BlockMap& blocks, const Block& block, std::uint32_t least) {
     for (int n = 0; n < 8; ++n) {
       const int dx = n & 1, dy = n >> 1 & 1, dz = n >> 2;
       const BlockKey key{block.key.x + dx, block.key.y + dy, block.key.z + dz};
@@ -39,7 +39,7 @@ class Corners {
       for (int y = 0; y < kCorners; ++y) {
         for (int x = 0; x < kCorners; ++x) {
           const Block* from = source(x, y, z);
-          if (from != nullptr) at(x, y, z) = value_of(*from, voxel(x, y, z), options);
+          if (from != nullptr) at(x, y, z) = value_of(*from, voxel(x, y, z), least);
         }
       }
     }
@@ -145,9 +145,9 @@ Rgb color_of(const Corners& corners, const Cell& cell) {
 
 }  // namespace
 
-BlockSurface find_surface(const BlockMap& blocks, const Block& block,
-                          const FusionOptions& options) {
-  Corners corners(blocks, block, options);
+BlockSurface find_surface(const BlockMap& blocks, const Block& block, double voxel_size,
+                          std::uint32_t least) {
+  Corners corners(blocks, block, least);
   BlockSurface surface;
   const Eigen::Vector3d start = Eigen::Vector3d(block.key.x, block.key.y, block.key.z) * kSide;
   for (int index = 0; index < kVoxels; ++index) {
@@ -155,8 +155,7 @@ BlockSurface find_surface(const BlockMap& blocks, const Block& block,
     Eigen::Vector3f vertex;
     if (!load_cell(corners, cell) || !find_vertex(cell, vertex)) continue;
     const Eigen::Vector3d place = start + Eigen::Vector3d(cell.x, cell.y, cell.z);
-    surface.positions.push_back(
-        ((place + vertex.cast<double>()) * options.voxel_size).cast<float>());
+    surface.positions.push_back(((place + vertex.cast<double>()) * voxel_size).cast<float>());
     surface.normals.push_back(gradient(cell, vertex));
     surface.colors.push_back(color_of(corners, cell));
     surface.cells.push_back(static_cast<std::uint16_t>(index));
@@ -164,10 +163,9 @@ BlockSurface find_surface(const BlockMap& blocks, const Block& block,
   return surface;
 }
 
-int crossing(const BlockMap& blocks, const Block& block, int cell, int axis,
-             const FusionOptions& options) {
+int crossing(const BlockMap& blocks, const Block& block, int cell, int axis, std::uint32_t least) {
   std::array<int, 3> place = {cell % kSide, cell / kSide % kSide, cell / (kSide * kSide)};
-  const Voxel here = value_of(block, static_cast<std::size_t>(cell), options);
+  const Voxel here = value_of(block, static_cast<std::size_t>(cell), least);
   const Block* next = &block;
   if (++place[static_cast<std::size_t>(axis)] == kSide) {
     place[static_cast<std::size_t>(axis)] = 0;
@@ -176,7 +174,7 @@ int crossing(const BlockMap& blocks, const Block& block, int cell, int axis,
     next = blocks.find(key);
     if (next == nullptr) return 0;
   }
-  const Voxel there = value_of(*next, index_of(place[0], place[1], place[2]), options);
+  const Voxel there = value_of(*next, index_of(place[0], place[1], place[2]), least);
   if (!here.known || !there.known || !crosses(here.distance, there.distance)) return 0;
   return there.distance > here.distance ? 1 : -1;
 }

@@ -19,12 +19,13 @@ struct BlockSurface {
 
 /// \param blocks must hold `block`; its neighbours towards +x, +y, +z are used where they are
 /// there.
-BlockSurface find_surface(const BlockMap& blocks, const Block& block, const FusionOptions& options);
+/// \param least frames that must have seen a voxel.
+BlockSurface find_surface(const BlockMap& blocks, const Block& block, double voxel_size,
+                          std::uint32_t least);
 
 /// True if the field changes its sign between the voxel of `block` and the next one along an axis,
 /// both being near the surface; +1 if it grows along the axis, -1 if it falls, 0 if it does not
 /// cross.
-int crossing(const BlockMap& blocks, const Block& block, int cell, int axis,
-             const FusionOptions& options);
+int crossing(const BlockMap& blocks, const Block& block, int cell, int axis, std::uint32_t least);
 
 }  // namespace planescope::fusion

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "fusion/carving.hpp"
 #include "fusion/touched_blocks.hpp"
 #include "fusion/voxel_field.hpp"
 #include "planescope/error.hpp"
@@ -48,7 +49,9 @@ class Integrator {
         for (std::size_t x = 0; x < kSide; ++x, p += step) changed |= update(p, block, row + x);
       }
     }
-    if (changed) block.changed = frame_;
+    if (!changed) return;
+    block.changed = frame_;
+    block.behind = true;  // some voxel behind what it hit, but for the first one of a ray
   }
 
  private:
@@ -70,9 +73,7 @@ class Integrator {
     if (depth == 0) return false;
     const float distance = (depth - p.z()) * std::sqrt(u * u + v * v + 1);
     if (distance < -truncation_) return false;
-    constexpr float kNearest = 0.5f;  // [m] nearer views are no surer
-    const float seen_from = std::max(depth, kNearest);
-    const float weight = 1 / (seen_from * seen_from);
+    const float weight = frame_weight(depth);
     const float sum = block.weight[voxel] + weight;
     const float truncated = std::min(1.0f, distance / truncation_);
     block.distance[voxel] += (truncated - block.distance[voxel]) * (weight / sum);
@@ -141,8 +142,8 @@ TsdfVolume::TsdfVolume(const FusionOptions& options) : field_(std::make_unique<F
   require(truncation >= 2 * options.voxel_size && truncation <= 100 * options.voxel_size,
           "the truncation is " + std::to_string(truncation) + " m; expected 2 to 100 voxels");
   require(
-      options.min_observations >= 1 && options.min_observations <= 255,
-      "min_observations is " + std::to_string(options.min_observations) + "; expected 1 to 255");
+      options.min_observations <= 255,
+      "min_observations is " + std::to_string(options.min_observations) + "; expected 0 to 255");
 }
 
 TsdfVolume::~TsdfVolume() = default;
@@ -167,6 +168,7 @@ void TsdfVolume::integrate(const DepthImage& depth, const ColorImage& color,
   const fusion::Integrator integrator(image, color, local, options, field_->frames);
   tbb::parallel_for(std::size_t{0}, touched.size(),
                     [&](std::size_t i) { integrator.integrate(*touched[i]); });
+  fusion::carve(image, local, options, field_->frames, field_->blocks);
   ++field_->frames;
   field_->colored = field_->colored || !color.empty();
 }

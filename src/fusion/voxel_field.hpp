@@ -20,13 +20,22 @@ inline constexpr std::int32_t kReach = 1 << 20;  ///< [block] keys are smaller t
 /// x, y, z.
 struct Block {
   BlockKey key;
-  std::int64_t changed = -1;                  ///< last frame that changed it; -1: none
-  std::array<float, kVoxels> distance{};      ///< [truncation] in [-1, 1]; positive: seen through
-  std::array<float, kVoxels> weight{};        ///< 0: never seen
-  std::array<std::uint8_t, kVoxels> seen{};   ///< frames that saw it, at most 255
-  std::array<float, kVoxels> color_weight{};  ///< 0: no colour
+  std::int64_t changed = -1;                 ///< last frame that changed it; -1: none
+  bool behind = false;                       ///< a distance may be negative: there may be a surface
+  std::array<float, kVoxels> distance{};     ///< [truncation] in [-1, 1]; positive: seen through
+  std::array<float, kVoxels> weight{};       ///< 0: never seen
+  std::array<std::uint8_t, kVoxels> seen{};  ///< frames that saw it, at most 255
+  std::array<float, kVoxels> color_weight{};                  ///< 0: no colour
   std::array<std::array<std::uint16_t, 3>, kVoxels> color{};  ///< [1/256] so that means settle
 };
+
+/// Weight of a return at `depth` [m], by its variance: structured light's standard deviation of
+/// 1.4 mm z^2 (Khoshelham and Elberink, Sensors 2012) beside 3 mm of poses and calibration.
+inline float frame_weight(float depth) noexcept {
+  constexpr float kEqual = 1.46f;  // [m] where both are the same
+  const float square = depth * depth / (kEqual * kEqual);
+  return 1 / (1 + square * square);
+}
 
 /// A key as one number, ascending by (z, y, x).
 inline std::uint64_t pack(const BlockKey& key) noexcept {
@@ -81,6 +90,12 @@ struct TsdfVolume::Field {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   std::uint32_t frames = 0;
   bool colored = false;  ///< a frame had colours
+
+  /// Frames that must have seen a voxel.
+  std::uint32_t least() const noexcept {
+    if (options.min_observations > 0) return options.min_observations;
+    return frames < 10 ? 1 : 3;
+  }
 };
 
 }  // namespace planescope
