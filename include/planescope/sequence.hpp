@@ -69,15 +69,15 @@ std::string_view name(SequenceLayout layout);  ///< `tum`, `redwood`, `frames`
 
 /// How to read a sequence. What is not given comes from the sequence's files.
 struct SequenceOptions {
-  std::optional<SequenceLayout> layout;  ///< else by the files that are there
-  std::optional<PinholeCamera>
-      lens;  ///< width 0: of the images' size; else camera.txt, camera_intrinsic.json, info.txt of
-             ///< BundleFusion; else what is usual for the layout
-  std::optional<double> depth_scale;  ///< [unit/m]; else the file's, else what is usual
-  double min_depth = 0.1;             ///< [m]
-  double max_depth = 1e9;             ///< [m]
-  bool color = true;                  ///< false: colour images are not read
-  std::uint32_t first = 0;            ///< first frame that is used, by number from 0
+  std::optional<SequenceLayout> layout = {};  ///< else by the files that are there
+  /// Width 0: of the images' size. Else camera.txt, camera_intrinsic.json or info.txt
+  /// (BundleFusion) say; else it is what is usual for the layout.
+  std::optional<PinholeCamera> lens = {};
+  std::optional<double> depth_scale = {};  ///< [unit/m]; else the file's, else what is usual
+  double min_depth = 0.1;                  ///< [m]
+  double max_depth = 1e9;                  ///< [m]
+  bool color = true;                       ///< false: colour images are not read
+  std::uint32_t first = 0;                 ///< first frame that is used, by number from 0
   std::uint32_t last = std::numeric_limits<std::uint32_t>::max();  ///< last one, itself included
   std::uint32_t step = 1;                                          ///< every so many
   double max_time_difference = 0.02;  ///< [s] Tum: frames, colours and poses further apart in time

@@ -93,7 +93,8 @@ void carve(const RangeImage& image, const Eigen::Isometry3d& pose, const FusionO
           ((Eigen::Vector3d(block.key.x, block.key.y, block.key.z).array() + 0.5) * side).matrix();
       const float seen = depth_around(depth, image.lens, centre, radius);
       if (seen == 0 || double(seen) <= centre.z() + radius + options.truncation) continue;
-      block.behind = free_block(block, frame_weight(seen));
+      // Weighs like a return from the block's own depth: that it is free is as sure as that.
+      block.behind = free_block(block, frame_weight(static_cast<float>(centre.z())));
       block.changed = frame;
     }
   });

@@ -134,8 +134,9 @@ Frame Sequence::read(std::size_t i) const {
 std::string Sequence::hash() const {
   std::string text;
   for (const FrameInfo& frame : frames_) {
-    text += frame.depth.filename().string() + " " + hash_file(frame.depth);
-    if (!frame.color.empty()) text += " " + hash_file(frame.color);
+    text += frame.depth.filename().string();
+    text += hash_file(frame.depth);
+    if (!frame.color.empty()) text += hash_file(frame.color);
     const auto& pose = frame.pose.matrix();
     text.append(reinterpret_cast<const char*>(pose.data()), 16 * sizeof(double));
   }
