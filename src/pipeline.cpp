@@ -10,6 +10,7 @@
 
 #include "planes/support.hpp"
 #include "planescope/error.hpp"
+#include "segment_graph.hpp"
 
 namespace planescope {
 namespace {
@@ -68,16 +69,9 @@ void label_points(Segmentation& scene) {
 
 }  // namespace
 
-Segmentation segment(const PointCloud& cloud, const Options& options, const Progress& progress) {
-  options.validate();
-  Segmentation scene;
-  scene.options = options;
+void segment_graph(Segmentation& scene, const Options& options, const Progress& progress) {
   StageTimes& times = scene.times;
   StageClock clock;
-
-  clock.start(times.patches);
-  scene.graph = make_patches(cloud, options.patches, progress);  // III-A
-  if (scene.graph.patches.empty()) refuse_scale(cloud, options.patches);
   clock.start(times.hypotheses);
   scene.selection = select_planes(  // IV-A, IV-B
       scene.graph, options.planes, [&](std::string_view stage, double fraction) {
@@ -97,6 +91,19 @@ Segmentation segment(const PointCloud& cloud, const Options& options, const Prog
   label_points(scene);
   double done = 0;
   clock.start(done);
+}
+
+Segmentation segment(const PointCloud& cloud, const Options& options, const Progress& progress) {
+  options.validate();
+  Segmentation scene;
+  scene.options = options;
+  StageClock clock;
+  clock.start(scene.times.patches);
+  scene.graph = make_patches(cloud, options.patches, progress);  // III-A
+  if (scene.graph.patches.empty()) refuse_scale(cloud, options.patches);
+  double done = 0;
+  clock.start(done);
+  segment_graph(scene, options, progress);
   return scene;
 }
 

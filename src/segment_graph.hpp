@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 the planescope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "planescope/options.hpp"
+#include "planescope/pipeline.hpp"
+
+namespace planescope {
+
+/// All of segment() that comes after the patches: scene.graph is there, the rest is made anew, and
+/// scene.times.
+void segment_graph(Segmentation& scene, const Options& options, const Progress& progress = {});
+
+}  // namespace planescope

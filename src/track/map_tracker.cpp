@@ -1,0 +1,264 @@
+// SPDX-FileCopyrightText: 2026 the planescope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "planescope/error.hpp"
+#include "segment_graph.hpp"
+#include "track/objects.hpp"
+#include "track/tile.hpp"
+
+namespace planescope {
+
+using track::Tile;
+
+struct MapTracker::State {
+  TrackOptions options;
+  std::map<BlockKey, Tile> tiles;
+  std::map<BlockKey, BlockKey> tile_of;  ///< per piece that has points
+  /// Borders between patches of two tiles, each pair once, lower key first.
+  std::map<std::pair<BlockKey, BlockKey>, std::vector<Adjacency>> joints;
+  track::ObjectBook book;
+  PointCloud map;
+  Segmentation scene;
+  std::vector<std::uint32_t> objects;
+  std::vector<std::uint32_t> patch_object;  ///< of scene.graph
+  std::optional<Eigen::Vector3d> origin;
+
+  bool differs(const PointCloud& old, const PointCloud& now) const;
+  BlockKey place(const PointCloud& piece) const;
+  bool put(const SurfacePiece& piece, bool exactly);
+  std::size_t repatch();
+  void join(const BlockKey& key);
+  void assemble();
+  std::vector<track::Overlap> overlaps() const;
+  TrackStep update(std::uint32_t frame, std::span<const SurfacePiece> pieces, bool exactly);
+};
+
+namespace {
+
+Eigen::Vector3d mean_of(const PointCloud& cloud) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3f& p : cloud.positions) sum += p.cast<double>();
+  return sum / static_cast<double>(std::max<std::size_t>(1, cloud.size()));
+}
+
+}  // namespace
+
+std::string_view name(TrackEventKind kind) {
+  constexpr std::array<std::string_view, 5> kNames = {"new", "split", "merge", "vanished", "plane"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+bool MapTracker::State::differs(const PointCloud& old, const PointCloud& now) const {
+  const auto before = static_cast<double>(old.size()), after = static_cast<double>(now.size());
+  if (std::abs(after - before) > options.change * std::max(before, after)) return true;
+  const double moved = (mean_of(now) - mean_of(old)).norm();
+  return moved > options.change * options.engine.patches.voxel_size;
+}
+
+BlockKey MapTracker::State::place(const PointCloud& piece) const {
+  const Eigen::Vector3d tile = mean_of(piece) / options.tile_size;
+  const auto part = [](double v) { return static_cast<std::int32_t>(std::floor(v)); };
+  return {part(tile.x()), part(tile.y()), part(tile.z())};
+}
+
+/// Puts a piece into its tile. \returns whether that changed the map.
+bool MapTracker::State::put(const SurfacePiece& piece, bool exactly) {
+  if (!piece.points.positions.empty()) {
+    if (piece.points.normals.size() != piece.points.size()) {
+      throw Error(Error::Kind::Input, "tracking: a piece of the map has no normals");
+    }
+    if (!origin) origin = piece.points.origin;
+    if (piece.points.origin != *origin) {
+      throw Error(Error::Kind::Input, "tracking: a piece has another origin than the first one");
+    }
+  }
+  const auto known = tile_of.find(piece.key);
+  if (known != tile_of.end()) {
+    Tile& tile = tiles.at(known->second);
+    PointCloud& old = tile.pieces.at(piece.key);
+    const bool same = old.positions == piece.points.positions;
+    if (same || (!exactly && !differs(old, piece.points))) return false;
+    tile.dirty = true;
+    tile.pieces.erase(piece.key);
+    tile_of.erase(known);
+  } else if (piece.points.positions.empty()) {
+    return false;
+  }
+  if (piece.points.positions.empty()) return true;
+  const BlockKey key = place(piece.points);
+  Tile& tile = tiles[key];
+  tile.dirty = true;
+  tile.pieces[piece.key] = piece.points;
+  tile_of[piece.key] = key;
+  return true;
+}
+
+/// Patches the dirty tiles anew; what their places were votes for what they become.
+std::size_t MapTracker::State::repatch() {
+  struct Work {
+    BlockKey key;
+    Tile* tile;
+    std::vector<std::uint32_t> objects;  // of its patches before
+  };
+  std::vector<Work> dirty;
+  std::size_t first = 0;
+  for (auto& [key, tile] : tiles) {
+    const std::size_t count = tile.graph.patches.size();
+    const auto begin = patch_object.begin() + static_cast<std::ptrdiff_t>(first);
+    const std::vector<std::uint32_t> own(begin, begin + static_cast<std::ptrdiff_t>(count));
+    first += count;
+    if (tile.dirty) {
+      dirty.push_back({key, &tile, own});
+      continue;
+    }
+    tile.votes.clear();
+    for (std::size_t p = 0; p < count; ++p) {
+      tile.votes.push_back({{own[p], tile.graph.patches[p].point_count}});
+    }
+  }
+  // Twice the patches' voxels: what moved by less than that is still the same place.
+  const double place_size = 2 * options.engine.patches.voxel_size;
+  tbb::parallel_for(std::size_t{0}, dirty.size(), [&](std::size_t d) {
+    Tile& tile = *dirty[d].tile;
+    const track::PlaceMemory memory = track::remember(tile, dirty[d].objects, place_size);
+    track::patch_tile(tile, dirty[d].key, options.tile_size, options.engine.patches);
+    track::vote(tile, memory, place_size);
+  });
+  for (const Work& work : dirty) join(work.key);
+  for (const Work& work : dirty) work.tile->dirty = false;
+  return dirty.size();
+}
+
+/// Finds anew which patches of a tile touch those of its neighbours.
+void MapTracker::State::join(const BlockKey& key) {
+  for (int n = 0; n < 27; ++n) {
+    const BlockKey near{key.x + n % 3 - 1, key.y + n / 3 % 3 - 1, key.z + n / 9 - 1};
+    const auto found = tiles.find(near);
+    // Of two dirty tiles the lower one's turn does for both.
+    if (near == key || found == tiles.end() || (found->second.dirty && near < key)) continue;
+    const BlockKey low = std::min(key, near), high = std::max(key, near);
+    joints[{low, high}] = track::join_tiles(tiles.at(low), tiles.at(high));
+  }
+}
+
+/// One cloud and one graph of all tiles.
+void MapTracker::State::assemble() {
+  map = {};
+  map.origin = origin.value_or(Eigen::Vector3d::Zero());
+  PatchGraph graph;
+  graph.voxel_size = static_cast<float>(options.engine.patches.voxel_size);
+  graph.patch_size = static_cast<float>(options.engine.patches.patch_size);
+  std::map<BlockKey, std::uint32_t> first;
+  for (const auto& [key, tile] : tiles) {
+    const auto base = static_cast<std::uint32_t>(graph.patches.size());
+    first[key] = base;
+    const auto add = [](auto& to, const auto& from) {
+      to.insert(to.end(), from.begin(), from.end());
+    };
+    add(map.positions, tile.cloud.positions);
+    add(map.normals, tile.cloud.normals);
+    add(map.colors, tile.cloud.colors);
+    add(graph.patches, tile.graph.patches);
+    for (const Adjacency& a : tile.graph.adjacency) {
+      graph.adjacency.push_back({a.first + base, a.second + base, a.border});
+    }
+    for (const std::int32_t p : tile.graph.point_patch) {
+      graph.point_patch.push_back(p == kNone ? kNone : p + static_cast<std::int32_t>(base));
+    }
+  }
+  map.width = static_cast<std::uint32_t>(map.size());
+  for (const auto& [pair, borders] : joints) {
+    for (const Adjacency& a : borders) {
+      graph.adjacency.push_back(
+          {a.first + first.at(pair.first), a.second + first.at(pair.second), a.border});
+    }
+  }
+  std::ranges::sort(graph.adjacency, [](const Adjacency& a, const Adjacency& b) {
+    return std::pair(a.first, a.second) < std::pair(b.first, b.second);
+  });
+  scene.graph = std::move(graph);
+}
+
+/// How many points of each segment were of which object.
+std::vector<track::Overlap> MapTracker::State::overlaps() const {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> sums;
+  std::size_t patch = 0;
+  for (const auto& [key, tile] : tiles) {
+    for (const auto& votes : tile.votes) {
+      const std::uint32_t segment = scene.segments.patch_label[patch++] - 1;
+      for (const auto& [object, points] : votes) sums[{segment, object}] += points;
+    }
+  }
+  std::vector<track::Overlap> list;
+  for (const auto& [pair, points] : sums) list.push_back({pair.first, pair.second, points});
+  return list;
+}
+
+TrackStep MapTracker::State::update(std::uint32_t frame, std::span<const SurfacePiece> pieces,
+                                    bool exactly) {
+  const auto start = std::chrono::steady_clock::now();
+  TrackStep step;
+  step.frame = frame;
+  step.pieces = pieces.size();
+  for (const SurfacePiece& piece : pieces) step.changed += put(piece, exactly) ? 1 : 0;
+  if (step.changed > 0) {
+    step.tiles = repatch();
+    assemble();
+    scene.times = {};
+    segment_graph(scene, options.engine);
+    objects = book.match(scene.segments.segments, overlaps(), step);
+    patch_object.clear();
+    for (const std::uint32_t label : scene.segments.patch_label) {
+      patch_object.push_back(objects[label - 1]);
+    }
+  }
+  step.points = map.size();
+  step.patches = scene.graph.patches.size();
+  step.planes = scene.planes.size();
+  step.segments = scene.segments.segments.size();
+  const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+  step.milliseconds = time.count();
+  return step;
+}
+
+MapTracker::MapTracker(const TrackOptions& options) : state_(std::make_unique<State>()) {
+  options.engine.validate();
+  const auto require = [](bool holds, const std::string& what) {
+    if (!holds) throw Error(Error::Kind::Usage, "tracking: " + what);
+  };
+  require(options.tile_size >= 4 * options.engine.patches.patch_size && options.tile_size <= 100,
+          "the tile size is " + std::to_string(options.tile_size) +
+              " m; expected at least 4 patches.patch_size, at most 100");
+  require(options.change > 0 && options.change <= 1,
+          "the change is " + std::to_string(options.change) + "; expected more than 0, at most 1");
+  require(options.engine.patches.range_exponent == 0,
+          "patches.range_exponent is not 0: a map has no single sensor");
+  state_->options = options;
+  state_->scene.options = options.engine;
+}
+
+MapTracker::~MapTracker() = default;
+MapTracker::MapTracker(MapTracker&&) noexcept = default;
+MapTracker& MapTracker::operator=(MapTracker&&) noexcept = default;
+
+TrackStep MapTracker::update(std::uint32_t frame, std::span<const SurfacePiece> pieces) {
+  return state_->update(frame, pieces, false);
+}
+
+TrackStep MapTracker::update_exactly(std::uint32_t frame, std::span<const SurfacePiece> pieces) {
+  return state_->update(frame, pieces, true);
+}
+
+const PointCloud& MapTracker::map() const noexcept { return state_->map; }
+const Segmentation& MapTracker::scene() const noexcept { return state_->scene; }
+const std::vector<std::uint32_t>& MapTracker::objects() const noexcept { return state_->objects; }
+
+}  // namespace planescope
