@@ -69,9 +69,17 @@ struct TrackOptions {
 /// that it changed, and their neighbours whose cells reach into them. By key.
 std::vector<SurfacePiece> changed_pieces(const TsdfVolume& volume, std::uint32_t since);
 
+/// The map at the end, segmented at once.
+struct TrackResult {
+  Segmentation scene;                  ///< what segment() says of the map
+  std::vector<std::uint32_t> objects;  ///< per segment: the object's number
+  TrackStep step;                      ///< how it differs from what was tracked
+};
+
 /// Takes a map piece by piece and holds its segmentation. Only tiles with changed pieces are
 /// re-patched; planes, edges and segments are found over all patches, which is cheap; segments are
-/// matched with the objects that their places had before. Memory is the map's. Same pieces in the
+/// matched with the objects that their places had before. Differs from segment() of the same map
+/// in that patches end at the faces of tiles: see finish(). Memory is the map's. Same pieces in the
 /// same order, same result, at any number of threads.
 class MapTracker {
  public:
@@ -87,6 +95,11 @@ class MapTracker {
 
   /// The same, taking every piece as changed, however little: after it the map is what was given.
   TrackStep update_exactly(std::uint32_t frame, std::span<const SurfacePiece> pieces);
+
+  /// Segments the map so far at once, as segment() does, and names its segments after the objects:
+  /// patches do not end at the faces of tiles then. Changes nothing; costs what segment() costs.
+  /// \throws Error as segment() does.
+  TrackResult finish(std::uint32_t frame) const;
 
   /// The map so far, tile by tile, and its segmentation. Segments are numbered by size, as
   /// segment() does; objects() says which object each one is.

@@ -63,12 +63,12 @@ struct Tables {
 };
 
 /// Segments of the result and the objects that they are.
-std::string objects_csv(const MapTracker& tracker) {
+std::string objects_csv(const std::vector<std::uint32_t>& objects) {
   std::string text = "label,object\n";
-  for (std::size_t s = 0; s < tracker.objects().size(); ++s) {
+  for (std::size_t s = 0; s < objects.size(); ++s) {
     text += std::to_string(s + 1);
     text += ',';
-    text += std::to_string(tracker.objects()[s]);
+    text += std::to_string(objects[s]);
     text += '\n';
   }
   return text;
@@ -103,18 +103,18 @@ void follow(const Arguments& a, const Sequence& sequence, TsdfVolume& volume, Ma
   if (progress) progress("tracking", 1);
 }
 
-void write(const Arguments& a, const MapTracker& tracker, const Tables& tables,
-           const InputInfo& input) {
+void write(const Arguments& a, const PointCloud& map, const TrackResult& result,
+           const Tables& tables, const InputInfo& input) {
   StagedFolder staged(a.folder);
-  save(tracker.scene(), tracker.map(), staged.path(), input);
-  save_geometry(tracker.scene(), tracker.map(), staged.path());
+  save(result.scene, map, staged.path(), input);
+  save_geometry(result.scene, map, staged.path());
   write_whole(staged.path() / "frames.csv", tables.frames);
   write_whole(staged.path() / "events.csv", tables.events);
-  write_whole(staged.path() / "objects.csv", objects_csv(tracker));
+  write_whole(staged.path() / "objects.csv", objects_csv(result.objects));
   if (!a.no_pictures) {
     RenderOptions drawing;
     a.camera.apply(drawing);
-    render_pictures(tracker.scene(), tracker.map(), drawing, staged.path(), input);
+    render_pictures(result.scene, map, drawing, staged.path(), input);
   }
   staged.publish("result.json", {"overview.png", "segments.png", "planes.png", "graph.png"});
 }
@@ -138,18 +138,20 @@ void run(Arguments& a) {
   Tables tables;
   follow(a, sequence, volume, tracker, tables);
   if (tracker.scene().graph.patches.empty()) volume.points();  // throws: says why
-  write(a, tracker, tables, {a.sequence.filename().string(), sequence.hash()});
+  const TrackResult result = tracker.finish(sequence.info(sequence.size() - 1).number);
+  write(a, tracker.map(), result, tables, {a.sequence.filename().string(), sequence.hash()});
   char text[256];
-  std::snprintf(text, sizeof text,
-                "%zu frames; tracking %.1f ms a frame, fusion %.1f; %zu events; %.2f %% of places "
-                "keep their object from step to step",
-                sequence.size(), tables.milliseconds / double(sequence.size()),
-                tables.fusion / double(sequence.size()), tables.events_count,
-                100.0 * double(tables.kept) / double(std::max<std::size_t>(1, tables.carried)));
+  std::snprintf(
+      text, sizeof text,
+      "%zu frames; tracking %.1f ms a frame, the whole at once %.1f, fusion %.1f a frame; "
+      "%zu events; %.2f %% of places keep their object from step to step",
+      sequence.size(), tables.milliseconds / double(sequence.size()), result.step.milliseconds,
+      tables.fusion / double(sequence.size()), tables.events_count,
+      100.0 * double(tables.kept) / double(std::max<std::size_t>(1, tables.carried)));
   a.console.say(text);
   a.console.say(a.folder.string() + ": " + std::to_string(tracker.map().size()) + " points, " +
-                std::to_string(tracker.scene().planes.size()) + " planes, " +
-                std::to_string(tracker.scene().segments.segments.size()) +
+                std::to_string(result.scene.planes.size()) + " planes, " +
+                std::to_string(result.scene.segments.segments.size()) +
                 " segments; frames.csv, events.csv, objects.csv");
 }
 

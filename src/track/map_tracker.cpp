@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "planescope/error.hpp"
@@ -35,13 +36,19 @@ struct MapTracker::State {
   BlockKey place(const PointCloud& piece) const;
   bool put(const SurfacePiece& piece, bool exactly);
   std::size_t repatch();
-  void join(const BlockKey& key);
+  void join(const std::vector<BlockKey>& dirty);
   void assemble();
+  void segment_map();
   std::vector<track::Overlap> overlaps() const;
   TrackStep update(std::uint32_t frame, std::span<const SurfacePiece> pieces, bool exactly);
 };
 
 namespace {
+
+double milliseconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+      .count();
+}
 
 Eigen::Vector3d mean_of(const PointCloud& cloud) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -132,21 +139,32 @@ std::size_t MapTracker::State::repatch() {
     track::patch_tile(tile, dirty[d].key, options.tile_size, options.engine.patches);
     track::vote(tile, memory, place_size);
   });
-  for (const Work& work : dirty) join(work.key);
-  for (const Work& work : dirty) work.tile->dirty = false;
+  std::vector<BlockKey> keys;
+  for (const Work& work : dirty) {
+    work.tile->dirty = false;
+    keys.push_back(work.key);
+  }
+  join(keys);
   return dirty.size();
 }
 
-/// Finds anew which patches of a tile touch those of its neighbours.
-void MapTracker::State::join(const BlockKey& key) {
-  for (int n = 0; n < 27; ++n) {
-    const BlockKey near{key.x + n % 3 - 1, key.y + n / 3 % 3 - 1, key.z + n / 9 - 1};
-    const auto found = tiles.find(near);
-    // Of two dirty tiles the lower one's turn does for both.
-    if (near == key || found == tiles.end() || (found->second.dirty && near < key)) continue;
-    const BlockKey low = std::min(key, near), high = std::max(key, near);
-    joints[{low, high}] = track::join_tiles(tiles.at(low), tiles.at(high));
+/// Finds anew which patches of the dirty tiles touch those of their neighbours.
+void MapTracker::State::join(const std::vector<BlockKey>& dirty) {
+  std::set<std::pair<BlockKey, BlockKey>> wanted;
+  for (const BlockKey& key : dirty) {
+    for (int n = 0; n < 27; ++n) {
+      const BlockKey near{key.x + n % 3 - 1, key.y + n / 3 % 3 - 1, key.z + n / 9 - 1};
+      if (near != key && tiles.contains(near)) {
+        wanted.emplace(std::min(key, near), std::max(key, near));
+      }
+    }
   }
+  const std::vector<std::pair<BlockKey, BlockKey>> pairs(wanted.begin(), wanted.end());
+  std::vector<std::vector<Adjacency>> found(pairs.size());
+  tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t i) {
+    found[i] = track::join_tiles(tiles.at(pairs[i].first), tiles.at(pairs[i].second));
+  });
+  for (std::size_t i = 0; i < pairs.size(); ++i) joints[pairs[i]] = std::move(found[i]);
 }
 
 /// One cloud and one graph of all tiles.
@@ -187,6 +205,19 @@ void MapTracker::State::assemble() {
   scene.graph = std::move(graph);
 }
 
+void MapTracker::State::segment_map() {
+  PatchGraph graph = std::move(scene.graph);
+  scene = {};
+  scene.options = options.engine;
+  scene.graph = std::move(graph);
+  if (scene.graph.patches.empty()) {  // nothing yet, or everything is gone
+    scene.point_label.assign(map.size(), kNoSegment);
+    scene.point_plane.assign(map.size(), kNone);
+  } else {
+    segment_graph(scene, options.engine);
+  }
+}
+
 /// How many points of each segment were of which object.
 std::vector<track::Overlap> MapTracker::State::overlaps() const {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> sums;
@@ -212,8 +243,7 @@ TrackStep MapTracker::State::update(std::uint32_t frame, std::span<const Surface
   if (step.changed > 0) {
     step.tiles = repatch();
     assemble();
-    scene.times = {};
-    segment_graph(scene, options.engine);
+    segment_map();
     objects = book.match(scene.segments.segments, overlaps(), step);
     patch_object.clear();
     for (const std::uint32_t label : scene.segments.patch_label) {
@@ -224,8 +254,7 @@ TrackStep MapTracker::State::update(std::uint32_t frame, std::span<const Surface
   step.patches = scene.graph.patches.size();
   step.planes = scene.planes.size();
   step.segments = scene.segments.segments.size();
-  const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
-  step.milliseconds = time.count();
+  step.milliseconds = milliseconds_since(start);
   return step;
 }
 
@@ -255,6 +284,30 @@ TrackStep MapTracker::update(std::uint32_t frame, std::span<const SurfacePiece> 
 
 TrackStep MapTracker::update_exactly(std::uint32_t frame, std::span<const SurfacePiece> pieces) {
   return state_->update(frame, pieces, true);
+}
+
+TrackResult MapTracker::finish(std::uint32_t frame) const {
+  const auto start = std::chrono::steady_clock::now();
+  const State& state = *state_;
+  TrackResult result;
+  result.scene = segment(state.map, state.options.engine);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> sums;
+  for (std::size_t i = 0; i < state.map.size(); ++i) {
+    const std::uint32_t before = state.scene.point_label[i], now = result.scene.point_label[i];
+    if (before == kNoSegment || now == kNoSegment) continue;
+    ++sums[{now - 1, state.objects[before - 1]}];
+  }
+  std::vector<track::Overlap> overlaps;
+  for (const auto& [pair, points] : sums) overlaps.push_back({pair.first, pair.second, points});
+  result.step.frame = frame;
+  track::ObjectBook book = state.book;
+  result.objects = book.match(result.scene.segments.segments, overlaps, result.step);
+  result.step.points = state.map.size();
+  result.step.patches = result.scene.graph.patches.size();
+  result.step.planes = result.scene.planes.size();
+  result.step.segments = result.scene.segments.segments.size();
+  result.step.milliseconds = milliseconds_since(start);
+  return result;
 }
 
 const PointCloud& MapTracker::map() const noexcept { return state_->map; }

@@ -79,12 +79,26 @@ void patch_tile(Tile& tile, const BlockKey& key, double tile_size, const PatchOp
                          static_cast<std::uint32_t>(tile.graph.point_patch[i]));
   }
   tile.rim = majority(std::move(entries));
+  if (tile.rim.empty()) return;
+  tile.rim_lower = tile.rim_upper = tile.rim.front().first;
+  for (const auto& [voxel, patch] : tile.rim) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      tile.rim_lower[k] = std::min(tile.rim_lower[k], voxel[k]);
+      tile.rim_upper[k] = std::max(tile.rim_upper[k], voxel[k]);
+    }
+  }
 }
 
 std::vector<Adjacency> join_tiles(const Tile& a, const Tile& b) {
   constexpr std::uint32_t kMissing = ~0u;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  if (a.rim.empty() || b.rim.empty()) return {};
   for (const auto& [voxel, patch] : a.rim) {
+    bool near_other = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      near_other = near_other && voxel[k] >= b.rim_lower[k] - 1 && voxel[k] <= b.rim_upper[k] + 1;
+    }
+    if (!near_other) continue;
     for (int n = 0; n < 27; ++n) {
       const VoxelKey near = {voxel[0] + n / 9 - 1, voxel[1] + n / 3 % 3 - 1, voxel[2] + n % 3 - 1};
       const std::uint32_t other = find(b.rim, near, kMissing);

@@ -26,6 +26,7 @@ struct Tile {
   std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> votes;
   /// Voxels at the tile's faces, with the patch that most of their points are in; sorted.
   std::vector<std::pair<VoxelKey, std::uint32_t>> rim;
+  VoxelKey rim_lower{}, rim_upper{};  ///< of the rim's voxels along each axis
 };
 
 /// Makes cloud, graph and rim anew from the pieces. \param tile_size,key place of the tile.
