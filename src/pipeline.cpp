@@ -51,7 +51,8 @@ std::vector<Plane> selected_planes(const PlaneSelection& selection) {
   throw Error(Error::Kind::Computation, message.str());
 }
 
-// What holds for a patch holds for its points.
+}  // namespace
+
 void label_points(Segmentation& scene) {
   const std::vector<std::int32_t>& point_patch = scene.graph.point_patch;
   scene.point_label.resize(point_patch.size());
@@ -66,8 +67,6 @@ void label_points(Segmentation& scene) {
         }
       });
 }
-
-}  // namespace
 
 void segment_graph(Segmentation& scene, const Options& options, const Progress& progress) {
   StageTimes& times = scene.times;

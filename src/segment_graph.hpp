@@ -11,4 +11,8 @@ namespace planescope {
 /// scene.times.
 void segment_graph(Segmentation& scene, const Options& options, const Progress& progress = {});
 
+/// What holds for a patch holds for its points: fills point_label and point_plane from
+/// graph.point_patch.
+void label_points(Segmentation& scene);
+
 }  // namespace planescope

@@ -102,9 +102,10 @@ class MapTracker {
   TrackResult finish(std::uint32_t frame) const;
 
   /// The map so far, tile by tile, and its segmentation. Segments are numbered by size, as
-  /// segment() does; objects() says which object each one is.
-  const PointCloud& map() const noexcept;
-  const Segmentation& scene() const noexcept;
+  /// segment() does; objects() says which object each one is. The first call after an update puts
+  /// the points together; not from two threads at once.
+  const PointCloud& map() const;
+  const Segmentation& scene() const;
   /// Per segment: the object's number, from 1, never given twice.
   const std::vector<std::uint32_t>& objects() const noexcept;
 

@@ -11,37 +11,11 @@
 #include <string>
 
 #include "planescope/error.hpp"
-#include "segment_graph.hpp"
-#include "track/objects.hpp"
-#include "track/tile.hpp"
+#include "track/tracker_state.hpp"
 
 namespace planescope {
 
 using track::Tile;
-
-struct MapTracker::State {
-  TrackOptions options;
-  std::map<BlockKey, Tile> tiles;
-  std::map<BlockKey, BlockKey> tile_of;  ///< per piece that has points
-  /// Borders between patches of two tiles, each pair once, lower key first.
-  std::map<std::pair<BlockKey, BlockKey>, std::vector<Adjacency>> joints;
-  track::ObjectBook book;
-  PointCloud map;
-  Segmentation scene;
-  std::vector<std::uint32_t> objects;
-  std::vector<std::uint32_t> patch_object;  ///< of scene.graph
-  std::optional<Eigen::Vector3d> origin;
-
-  bool differs(const PointCloud& old, const PointCloud& now) const;
-  BlockKey place(const PointCloud& piece) const;
-  bool put(const SurfacePiece& piece, bool exactly);
-  std::size_t repatch();
-  void join(const std::vector<BlockKey>& dirty);
-  void assemble();
-  void segment_map();
-  std::vector<track::Overlap> overlaps() const;
-  TrackStep update(std::uint32_t frame, std::span<const SurfacePiece> pieces, bool exactly);
-};
 
 namespace {
 
@@ -167,72 +141,6 @@ void MapTracker::State::join(const std::vector<BlockKey>& dirty) {
   for (std::size_t i = 0; i < pairs.size(); ++i) joints[pairs[i]] = std::move(found[i]);
 }
 
-/// One cloud and one graph of all tiles.
-void MapTracker::State::assemble() {
-  map = {};
-  map.origin = origin.value_or(Eigen::Vector3d::Zero());
-  PatchGraph graph;
-  graph.voxel_size = static_cast<float>(options.engine.patches.voxel_size);
-  graph.patch_size = static_cast<float>(options.engine.patches.patch_size);
-  std::map<BlockKey, std::uint32_t> first;
-  for (const auto& [key, tile] : tiles) {
-    const auto base = static_cast<std::uint32_t>(graph.patches.size());
-    first[key] = base;
-    const auto add = [](auto& to, const auto& from) {
-      to.insert(to.end(), from.begin(), from.end());
-    };
-    add(map.positions, tile.cloud.positions);
-    add(map.normals, tile.cloud.normals);
-    add(map.colors, tile.cloud.colors);
-    add(graph.patches, tile.graph.patches);
-    for (const Adjacency& a : tile.graph.adjacency) {
-      graph.adjacency.push_back({a.first + base, a.second + base, a.border});
-    }
-    for (const std::int32_t p : tile.graph.point_patch) {
-      graph.point_patch.push_back(p == kNone ? kNone : p + static_cast<std::int32_t>(base));
-    }
-  }
-  map.width = static_cast<std::uint32_t>(map.size());
-  for (const auto& [pair, borders] : joints) {
-    for (const Adjacency& a : borders) {
-      graph.adjacency.push_back(
-          {a.first + first.at(pair.first), a.second + first.at(pair.second), a.border});
-    }
-  }
-  std::ranges::sort(graph.adjacency, [](const Adjacency& a, const Adjacency& b) {
-    return std::pair(a.first, a.second) < std::pair(b.first, b.second);
-  });
-  scene.graph = std::move(graph);
-}
-
-void MapTracker::State::segment_map() {
-  PatchGraph graph = std::move(scene.graph);
-  scene = {};
-  scene.options = options.engine;
-  scene.graph = std::move(graph);
-  if (scene.graph.patches.empty()) {  // nothing yet, or everything is gone
-    scene.point_label.assign(map.size(), kNoSegment);
-    scene.point_plane.assign(map.size(), kNone);
-  } else {
-    segment_graph(scene, options.engine);
-  }
-}
-
-/// How many points of each segment were of which object.
-std::vector<track::Overlap> MapTracker::State::overlaps() const {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> sums;
-  std::size_t patch = 0;
-  for (const auto& [key, tile] : tiles) {
-    for (const auto& votes : tile.votes) {
-      const std::uint32_t segment = scene.segments.patch_label[patch++] - 1;
-      for (const auto& [object, points] : votes) sums[{segment, object}] += points;
-    }
-  }
-  std::vector<track::Overlap> list;
-  for (const auto& [pair, points] : sums) list.push_back({pair.first, pair.second, points});
-  return list;
-}
-
 TrackStep MapTracker::State::update(std::uint32_t frame, std::span<const SurfacePiece> pieces,
                                     bool exactly) {
   const auto start = std::chrono::steady_clock::now();
@@ -250,7 +158,7 @@ TrackStep MapTracker::State::update(std::uint32_t frame, std::span<const Surface
       patch_object.push_back(objects[label - 1]);
     }
   }
-  step.points = map.size();
+  step.points = point_count;
   step.patches = scene.graph.patches.size();
   step.planes = scene.planes.size();
   step.segments = scene.segments.segments.size();
@@ -288,7 +196,8 @@ TrackStep MapTracker::update_exactly(std::uint32_t frame, std::span<const Surfac
 
 TrackResult MapTracker::finish(std::uint32_t frame) const {
   const auto start = std::chrono::steady_clock::now();
-  const State& state = *state_;
+  State& state = *state_;
+  state.complete();
   TrackResult result;
   result.scene = segment(state.map, state.options.engine);
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> sums;
@@ -310,8 +219,16 @@ TrackResult MapTracker::finish(std::uint32_t frame) const {
   return result;
 }
 
-const PointCloud& MapTracker::map() const noexcept { return state_->map; }
-const Segmentation& MapTracker::scene() const noexcept { return state_->scene; }
+const PointCloud& MapTracker::map() const {
+  state_->complete();
+  return state_->map;
+}
+
+const Segmentation& MapTracker::scene() const {
+  state_->complete();
+  return state_->scene;
+}
+
 const std::vector<std::uint32_t>& MapTracker::objects() const noexcept { return state_->objects; }
 
 }  // namespace planescope
