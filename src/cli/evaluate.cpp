@@ -32,7 +32,7 @@ struct Arguments {
   fs::path result, truth, truth_planes;
   std::string camera, pose;
   std::uint32_t splat = 0;
-  double require_overlap = 0;
+  double require_overlap = 0, nearest = 0;
 };
 
 /// What is scored.
@@ -81,6 +81,17 @@ Prediction read_prediction(const Arguments& a) {
   return prediction;
 }
 
+/// Of another cloud of the same place.
+std::vector<std::uint32_t> read_nearest(const Arguments& a, const PointCloud& cloud) {
+  NearestLabels nearest = nearest_labels(read_labelled(a.truth), cloud, a.nearest);
+  char text[120];
+  std::snprintf(text, sizeof text,
+                "truth is %.2f mm away on average; %zu points are further than %g m",
+                1000 * nearest.mean_distance, nearest.beyond, a.nearest);
+  a.console.say(text);
+  return std::move(nearest.labels);
+}
+
 /// A column of the scored cloud itself: another field of the PCD file.
 std::vector<std::uint32_t> read_field(const Arguments& a) {
   const fs::path file = fs::is_directory(a.result) ? a.result / "points.pcd" : a.result;
@@ -89,7 +100,9 @@ std::vector<std::uint32_t> read_field(const Arguments& a) {
 }
 
 /// --truth names a file or, where there is none and the name could be one, a field.
-std::vector<std::uint32_t> read_truth(const Arguments& a, std::size_t size) {
+std::vector<std::uint32_t> read_truth(const Arguments& a, const PointCloud& cloud) {
+  if (a.nearest > 0) return read_nearest(a, cloud);
+  const std::size_t size = cloud.size();
   const bool field = !fs::exists(a.truth) && !a.truth.has_parent_path() && !a.truth.has_extension();
   std::vector<std::uint32_t> truth =
       field ? read_field(a) : read_labelled(a.truth, a.limits.read()).labels;
@@ -131,7 +144,7 @@ double share_of_holes(const std::vector<std::uint32_t>& labels,
 
 Scores score(const Arguments& a, Prediction& prediction) {
   const bool projected = !a.camera.empty();
-  const auto truth = projected ? project(a, prediction) : read_truth(a, prediction.labels.size());
+  const auto truth = projected ? project(a, prediction) : read_truth(a, prediction.cloud);
   Scores scores{score(a.counted, prediction.labels, truth), {}, {}, {}};
   if (projected) scores.holes = share_of_holes(prediction.labels, truth);
   if (prediction.height > 1) {
@@ -294,6 +307,12 @@ Command add_evaluate(CLI::App& program) {
   command->add_option("--splat", a->splat, "A point covers N pixels around its own too (0)")
       ->check(CLI::Range(0, 64))
       ->type_name("N");
+  command
+      ->add_option("--truth-nearest", a->nearest,
+                   "--truth is another cloud of the same place: each point counts as its nearest "
+                   "one there, within this distance [m]")
+      ->check(CLI::Range(1e-6, 10.0))
+      ->type_name("M");
   a->counted.declare(*command);
   a->limits.declare(*command);
   a->console.declare(*command);

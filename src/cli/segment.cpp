@@ -16,6 +16,7 @@
 #include "cli/memory.hpp"
 #include "cli/method_arguments.hpp"
 #include "cli/run_info.hpp"
+#include "cli/scene_arguments.hpp"
 #include "cli/staged_folder.hpp"
 #include "cli/values.hpp"
 #include "io/whole_file.hpp"
@@ -36,7 +37,8 @@ struct Arguments {
   EngineArguments engine;
   MethodArguments peers;
   CameraArguments camera;
-  std::filesystem::path scene, folder;
+  SceneArguments scene;
+  std::filesystem::path folder;
   std::string method = "ours";
   bool no_pictures = false;
   std::size_t threads = 0;
@@ -113,8 +115,8 @@ std::vector<std::string> result_files() {
 
 /// All outputs, in place only when all of them are whole.
 void write(const Arguments& a, const RenderOptions& drawing, const Segmentation& scene,
-           const PointCloud& cloud, RunInfo& run, const Stopwatch& since_start) {
-  const InputInfo input{a.scene.filename().string(), hash_file(a.scene)};
+           const Scene& source, RunInfo& run, const Stopwatch& since_start) {
+  const auto& [cloud, input] = source;
   StagedFolder staged(a.folder);
   Stopwatch watch;
   save(scene, cloud, staged.path(), input);
@@ -143,6 +145,7 @@ void print_json(const Arguments& a) {
 void run(Arguments& a) {
   const Stopwatch since_start;
   check_method("--method", a.method);
+  a.scene.check();
   a.engine.check();
   a.peers.check();
   RenderOptions drawing;
@@ -150,7 +153,7 @@ void run(Arguments& a) {
   if (a.folder.empty())
     throw Error(Error::Kind::Usage, "-o is empty; name a folder for the result");
   check_writable(a.folder);
-  refuse_overwriting(a.scene, a.folder, result_files());
+  for (const auto& file : a.scene.files()) refuse_overwriting(file, a.folder, result_files());
   a.limits.apply();
   std::unique_ptr<TbbLimit> limit;
   if (a.threads > 0) {
@@ -159,13 +162,14 @@ void run(Arguments& a) {
   RunInfo info;
   info.threads = TbbLimit::active_value(TbbLimit::max_allowed_parallelism);
   Stopwatch watch;
-  const PointCloud cloud = read_cloud(a.scene, a.limits.read());
+  const Scene source = a.scene.load(a.console, a.limits.read());
+  const PointCloud& cloud = source.cloud;
   const double read_time = watch.lap();
   const Segmentation scene = compute(a, cloud);
   info.stages = scene.times;
   info.stages.read = read_time;
   a.console.say(describe_scene(scene, cloud));
-  write(a, drawing, scene, cloud, info, since_start);
+  write(a, drawing, scene, source, info, since_start);
   a.console.detail(info.brief());
   if (a.console.json) print_json(a);
 }
@@ -175,7 +179,7 @@ void run(Arguments& a) {
 Command add_segment(CLI::App& program) {
   const auto a = std::make_shared<Arguments>();
   CLI::App* command = program.add_subcommand("segment", "Segment a point cloud, and draw it");
-  command->add_option("SCENE", a->scene, "Point cloud: PCD or PLY")->required();
+  a->scene.declare(*command);
   command->add_option("-o,--output", a->folder, "Folder for the result, made where it is missing")
       ->required()
       ->type_name("DIR");
