@@ -83,7 +83,7 @@ Prediction read_prediction(const Arguments& a) {
 
 /// Of another cloud of the same place.
 std::vector<std::uint32_t> read_nearest(const Arguments& a, const PointCloud& cloud) {
-  NearestLabels nearest = nearest_labels(read_labelled(a.truth), cloud, a.nearest);
+  NearestLabels nearest = nearest_labels(read_labelled(a.truth, a.limits.read()), cloud, a.nearest);
   char text[120];
   std::snprintf(text, sizeof text,
                 "truth is %.2f mm away on average; %zu points are further than %g m",

@@ -9,6 +9,7 @@
 
 #include "planescope/cloud.hpp"
 #include "planescope/fusion.hpp"
+#include "planescope/io.hpp"
 #include "planescope/result.hpp"
 #include "planescope/sequence.hpp"
 
