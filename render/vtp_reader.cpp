@@ -178,8 +178,8 @@ class VtpReader {
   }
 
   void fill(vtkDataArray& array, std::uint64_t offset, std::uint64_t tuples) const {
-    const auto width =
-        static_cast<std::uint64_t>(array.GetNumberOfComponents() * array.GetDataTypeSize());
+    const std::uint64_t width = static_cast<std::uint64_t>(array.GetNumberOfComponents()) *
+                                static_cast<std::uint64_t>(array.GetDataTypeSize());
     data_.require(offset, tuples * width);  // tuples are below 2^32
     array.SetNumberOfTuples(static_cast<vtkIdType>(tuples));
     data_.read(offset, {static_cast<std::byte*>(array.GetVoidPointer(0)), tuples * width});

@@ -70,7 +70,14 @@ signalled() {
     signal=$([[ $((i % 2)) == 0 ]] && echo INT || echo TERM)
     # A shell has its background jobs ignore SIGINT; env gives it back.
     env --default-signal=INT "$program" segment "$room" -q --size 160x120 -o "out$i" 2>stderr &
-    moment
+    if ((i % 4 < 2)); then
+      moment
+    else # while it writes
+      for ((k = 0; k < 2000; ++k)); do
+        [[ -z $(hidden .) && ! -e out$i ]] || break
+        sleep 0.005
+      done
+    fi
     kill -"$signal" $! 2>/dev/null || true
     code=0
     wait $! || code=$?
@@ -280,6 +287,10 @@ foreign_files() {
     expect 3 'spoilt/result.json: ' "$program" render spoilt -o a.png -q
     expect 3 'spoilt/result.json: ' "$program" evaluate spoilt --truth label -q
   done
+  # As deep as whatever walks it by recursion cannot bear.
+  { printf '{"schema": 1, "options": ' && head -c 1000000 /dev/zero | tr '\0' '[' && head -c 1000000 /dev/zero | tr '\0' ']' &&
+    printf '}'; } >spoilt/result.json
+  expect 3 'nested more than 64 deep' "$program" render spoilt -o a.png -q
   expect 3 'is a folder|not a|no file' "$program" render "$shared/result" -o a.png --camera "$shared" -q
   mkfifo spoilt/pipe
   mv spoilt/pipe spoilt/result.json
