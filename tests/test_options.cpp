@@ -41,8 +41,8 @@ TEST(OptionTable, NamesEveryMemberOnce) {
     EXPECT_TRUE(names.insert(info.name).second) << info.name;
     EXPECT_FALSE(info.range.empty() || info.meaning.empty() || info.unit.empty()) << info.name;
   }
-  // Counted by hand in options.hpp: 6 of patches, 15 of planes, 4 of edges, 1 of segments.
-  EXPECT_EQ(table.size(), 26u);
+  // Counted by hand in options.hpp: 7 of patches, 16 of planes, 5 of edges, 1 of segments.
+  EXPECT_EQ(table.size(), 29u);
   EXPECT_EQ(table.front().name, "patches.voxel_size");
   EXPECT_EQ(table.back().name, "segments.min_patches");
 }
@@ -51,11 +51,14 @@ TEST(OptionTable, EachNameReachesItsOwnMember) {
   Options o;
   set_option(o, "patches.voxel_size", "0.011");
   set_option(o, "patches.patch_size", "0.12");
+  set_option(o, "patches.range_exponent", "0.4");
+  set_option(o, "patches.smoothing", "0.02");
   set_option(o, "patches.weight_color", "1.5");
   set_option(o, "patches.weight_spatial", "2.5");
   set_option(o, "patches.weight_normal", "3.5");
   set_option(o, "planes.sigma", "0.03");
   set_option(o, "planes.min_area", "0.7");
+  set_option(o, "planes.face_area", "0.06");
   set_option(o, "planes.alpha", "12");
   set_option(o, "planes.normal_gate", "0.9");
   set_option(o, "planes.max_curvature", "0.07");
@@ -72,10 +75,15 @@ TEST(OptionTable, EachNameReachesItsOwnMember) {
   set_option(o, "edges.concavity_tolerance", "11");
   set_option(o, "edges.smoothness_tolerance", "0.2");
   set_option(o, "edges.singular_angle", "45");
+  set_option(o, "edges.rim_angle", "130");
   set_option(o, "edges.extended_convexity", "true");
   set_option(o, "segments.min_patches", "8");
   EXPECT_EQ(o.patches.voxel_size, 0.011);
   EXPECT_EQ(o.patches.patch_size, 0.12);
+  EXPECT_EQ(o.patches.range_exponent, 0.4);
+  EXPECT_EQ(o.patches.smoothing, 0.02);
+  EXPECT_EQ(o.planes.face_area, 0.06);
+  EXPECT_EQ(o.edges.rim_angle, 130);
   EXPECT_EQ(o.patches.weight_color, 1.5);
   EXPECT_EQ(o.patches.weight_spatial, 2.5);
   EXPECT_EQ(o.patches.weight_normal, 3.5);

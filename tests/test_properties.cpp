@@ -132,6 +132,7 @@ TEST_P(Properties, UnitOfLength) {
     same.patches.patch_size *= factor;
     same.planes.sigma *= factor;
     same.planes.min_area *= factor * factor;
+    same.planes.face_area *= factor * factor;
     const Segmentation after = segment(scaled, same);
     EXPECT_EQ(after.planes.size(), before.planes.size()) << factor;
     EXPECT_EQ(after.point_label, before.point_label) << factor;

@@ -64,8 +64,9 @@ TEST(Smoothing, ThinsScatteredWallsAndKeepsTheirCorner) {
 TEST(Smoothing, LeavesThinSurfacesWhereTheyAre) {
   const PointCloud cloud = make_corner(0.001f);
   const PointCloud smooth = smooth_points(cloud, 0.02);
-  EXPECT_LT(scatter(smooth, cloud.labels, 1, 0.02f), 0.002);
-  EXPECT_LT(scatter(smooth, cloud.labels, 2, 0.02f), 0.002);
+  EXPECT_LT(scatter(smooth, cloud.labels, 1, 0.05f), 0.0015);
+  EXPECT_LT(scatter(smooth, cloud.labels, 2, 0.05f), 0.0015);
+  EXPECT_LT(scatter(smooth, cloud.labels, 1, 0.02f), 0.004);  // a cell from the corner
 }
 
 TEST(Smoothing, PointsWithoutSurroundingsStay) {
