@@ -53,6 +53,8 @@ struct Result {
   std::string input_hash;    ///< InputInfo::hash
   std::string options_hash;  ///< hash_text() of the options as result.json has them, keys sorted
   double voxel_size = 0, patch_size = 0;  ///< [m]
+  Options options;                        ///< that made it; of a peer the scale only
+  PlaneSelection selection;               ///< hypotheses; empty where the method has none
 };
 
 /// The same view of a result that is still in memory.

@@ -67,9 +67,9 @@ int run_program(int argc, char** argv) {
   CLI::App program("Segments indoor 3D maps into planes and objects, and draws it.", "planescope");
   program.require_subcommand(1);
   program.set_version_flag("--version", version, "Versions of planescope, VTK, PCL and OpenGL");
-  const std::vector<Command> commands = {add_segment(program),  add_render(program),
-                                         add_evaluate(program), add_figure(program),
-                                         add_batch(program),    add_synthesize(program)};
+  const std::vector<Command> commands = {
+      add_segment(program), add_render(program),  add_evaluate(program),  add_figure(program),
+      add_batch(program),   add_explain(program), add_synthesize(program)};
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& help) {  // --help, --version
