@@ -31,7 +31,7 @@ Measure measure(std::string name, std::string unit, double value, double thresho
 void add_plane_measures(std::vector<Measure>& all, const Segmentation& scene, const PatchReport& r,
                         std::int32_t index, bool decided) {
   const Plane& plane = scene.planes[static_cast<std::size_t>(index)].plane;
-  const std::string of = " of patch " + std::to_string(r.id) + " to plane " + std::to_string(index);
+  const std::string of = " of " + std::to_string(r.id) + " to plane " + std::to_string(index);
   const double distance = std::abs(static_cast<double>(plane.signed_distance(r.patch.centroid)));
   const double cosine = std::abs(static_cast<double>(plane.normal.dot(r.patch.normal)));
   all.push_back(measure("distance" + of, "m", distance, r.distance_limit, false, "planes.sigma"));

@@ -53,8 +53,8 @@ std::string truth_words(const PlaneExplanation& x) {
     const ObjectShare& share = x.truth[i];
     const double percent = 100.0 * static_cast<double>(share.points) /
                            std::max(1.0, static_cast<double>(x.plane.point_count));
-    text += (share.truth == 0 ? " none " : " " + std::to_string(share.truth) + " ") +
-            number(percent) + " %,";
+    text.append(" ").append(share.truth == 0 ? "none" : std::to_string(share.truth));
+    text.append(" ").append(number(percent)).append(" %,");
   }
   text.back() = '\n';
   return text + more(x.truth.size(), "objects");

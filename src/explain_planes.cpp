@@ -3,6 +3,7 @@
 #include "planescope/explain_planes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "patch_report.hpp"
@@ -52,9 +53,17 @@ struct PlaneExplainer::Parts {
       plane_of[s.planes[p].hypothesis] = static_cast<std::int32_t>(p);
   }
 
+  /// The patches at these positions of the index.
+  std::vector<std::uint32_t> ids(const Bits& positions) const {
+    std::vector<std::uint32_t> patches;
+    for_each(positions, [&](std::size_t i) { patches.push_back(index.patch(i)); });
+    std::ranges::sort(patches);
+    return patches;
+  }
+
   HypothesisReport report(std::uint32_t m) const {
     const std::vector<PlaneHypothesis>& all = scene.selection.hypotheses;
-    HypothesisReport r{m, all[m], plane_of[m], {}};
+    HypothesisReport r{m, all[m], plane_of[m], {}, ids(hypotheses[m].inliers)};
     for (const std::uint32_t k : scene.selection.selected) {
       const std::size_t at = m * all.size() + k;
       const PairCost pair{k, plane_of[k],
@@ -80,18 +89,20 @@ struct PlaneExplainer::Parts {
     return at;
   }
 
-  std::optional<PlaneHypothesis> local_plane(std::size_t at) const {
+  /// What grows from the patch at a position alone.
+  void add_local_plane(MissingExplanation& x, std::size_t at) const {
     const Eigen::Vector3f c = index.centroid(at), n = index.normal(at);
     const Seed seed{{n, n.dot(c)}, c, static_cast<std::uint32_t>(at)};
     const PlaneSearch search(index, scene.options.planes);
     const std::vector<Hypothesis> fits = search.fit_each({seed}, 0);
-    if (fits.empty()) return std::nullopt;
-    PlaneHypothesis local;
-    local.plane = fits[0].plane;
-    local.inlier_count = fits[0].support;
-    local.data_cost = data_cost(local.inlier_count, scene.selection.lambda);
-    for_each(fits[0].inliers, [&](std::size_t i) { local.inlier_area += index.area(i); });
-    return local;
+    if (fits.empty()) return;
+    x.local.emplace();
+    x.local->plane = fits[0].plane;
+    x.local->inlier_count = fits[0].support;
+    x.local->data_cost = data_cost(fits[0].support, scene.selection.lambda);
+    x.local_inliers = ids(fits[0].inliers);
+    for (const std::uint32_t p : x.local_inliers)
+      x.local->inlier_area += scene.graph.patches[p].area;
   }
 
   const Segmentation& scene;
@@ -157,7 +168,7 @@ MissingExplanation PlaneExplainer::missing(const Eigen::Vector3f& place, double 
   x.distance = static_cast<double>((x.patch.patch.centroid - place).norm());
   x.lambda = scene.selection.lambda;
   const std::size_t at = parts_->position(x.patch.id);
-  x.local = parts_->local_plane(at);
+  parts_->add_local_plane(x, at);
   if (!(radius > 0)) radius = 2 * static_cast<double>(scene.graph.patch_size);
   const Bits near = parts_->near(x.patch.patch.centroid, radius);
   for (const bool holding : {true, false}) {

@@ -16,6 +16,10 @@ std::string number(double value, int digits) {
   return text.data();
 }
 
+std::string counted(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
 std::string length_words(double metres) {
   const double size = std::abs(metres);
   if (size < 0.0995) return number(metres * 1000) + " mm";
@@ -42,9 +46,9 @@ std::string settings_words(const std::vector<Setting>& settings) {
 }
 
 std::string effect_words(const Flip& flip) {
-  return "in all " + std::to_string(flip.switched_on) + " edges go ON, " +
-         std::to_string(flip.switched_off) + " OFF, " + std::to_string(flip.planes) + " planes, " +
-         std::to_string(flip.segments) + " segments";
+  return "in all " + counted(flip.switched_on, "edge") + " to ON, " +
+         std::to_string(flip.switched_off) + " to OFF; " + counted(flip.planes, "plane") + ", " +
+         counted(flip.segments, "segment");
 }
 
 std::string flip_words(const Flip& flip) {

@@ -14,6 +14,8 @@
 namespace planescope {
 
 std::string number(double value, int digits = 3);
+/// `1 edge`, `2 edges`
+std::string counted(std::size_t count, const std::string& what);
 /// `12.3 mm`, `1.25 m`
 std::string length_words(double metres);
 /// A value with its unit; metres as length_words().

@@ -32,6 +32,7 @@ struct HypothesisReport {
   std::int32_t plane = kNone;   ///< the supporting plane it became
   std::vector<PairCost> pairs;  ///< with every selected hypothesis where V is more than 1e-6,
                                 ///< dearest first
+  std::vector<std::uint32_t> inliers;  ///< patches, ascending
 };
 
 /// How many points of a plane lie on a true object.
@@ -60,6 +61,7 @@ struct MissingExplanation {
   /// The plane that grows from this patch alone, refitted to its inliers: with its inliers, area
   /// and D. Nothing where no patch agrees with it.
   std::optional<PlaneHypothesis> local;
+  std::vector<std::uint32_t> local_inliers;  ///< patches of `local`, ascending
   std::vector<HypothesisReport> near;  ///< hypotheses with inliers near the place: those that hold
                                        ///< the patch first, then by inliers
   std::vector<bool> holds;             ///< per hypothesis in `near`: the patch is an inlier
