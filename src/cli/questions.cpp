@@ -109,6 +109,11 @@ std::vector<std::uint32_t> Question::truth(const StoredScene& stored) const {
   if (labels.empty())
     throw Error(Error::Kind::Input,
                 truth_.string() + ": has no field `label`; name a cloud that has one");
+  if (labels.size() != stored.cloud.size())
+    throw Error(Error::Kind::Input, truth_.string() + ": has " + std::to_string(labels.size()) +
+                                        " points, the scene has " +
+                                        std::to_string(stored.cloud.size()) +
+                                        "; name the cloud that the scene was made from");
   std::vector<std::uint32_t> counted =
       apply_policy(stored.scene.point_label, labels, policy_.policy);
   const std::uint32_t divide = policy_.policy.divide;
