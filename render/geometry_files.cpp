@@ -33,19 +33,6 @@ namespace {
               file.string() + ": " + what + "; segment the scene again to make the folder anew");
 }
 
-/// The points moved by `shift`: in double for map coordinates, in single precision near zero.
-template <typename Array>
-void move_points(vtkPolyData& data, const Eigen::Vector3d& shift) {
-  const auto count = static_cast<std::size_t>(data.GetNumberOfPoints());
-  vtkNew<vtkPoints> moved;
-  moved->SetData(make_vectors<Array>("position", count, [&](std::size_t i) {
-    Eigen::Vector3d p;
-    data.GetPoint(static_cast<vtkIdType>(i), p.data());
-    return Eigen::Vector3d(p + shift);
-  }));
-  data.SetPoints(moved);
-}
-
 /// VTK allocates what a header asks for before it looks at the data: each count is checked against
 /// the bytes that are there first. Zlib packs 1000:1 at best.
 void check_counts(const std::filesystem::path& file, const std::string& bytes) {

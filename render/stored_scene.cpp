@@ -40,7 +40,7 @@ class Columns {
       const double* range = array->GetRange(c);
       const bool empty = rows_ == 0;
       if (!empty && !(std::isfinite(range[0]) && std::isfinite(range[1])))
-        refuse(file_, "`" + std::string(name) + "` has values that are not finite");
+        refuse(file_, std::string(name) + " has values that are not finite");
     }
     return *array;
   }
