@@ -60,8 +60,10 @@ void draw(const StoredScene& stored, const CloseUp& what, const CloseUpOptions& 
 Sheet outline(const StoredScene& stored, const Plane& plane,
               const std::vector<std::uint32_t>& patches, const Pixel& color);
 
-/// The words of a panel, top down, on white; lines that are too long are broken.
-Image draw_panel(const std::vector<PanelLine>& lines, int width, int height, int scale);
+/// The words of a panel, top down, on white; lines that are too long are broken. `measure`: the
+/// panel's width over the size of its letters.
+Image draw_panel(const std::vector<PanelLine>& lines, int width, int height, int scale,
+                 double measure = 26);
 
 inline constexpr Pixel kFirstPatch = {217, 119, 6};    ///< amber
 inline constexpr Pixel kSecondPatch = {21, 128, 161};  ///< teal

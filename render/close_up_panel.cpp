@@ -76,9 +76,10 @@ double add_row(Image& panel, const PanelLine& line, double size, int margin, int
 
 }  // namespace
 
-Image draw_panel(const std::vector<PanelLine>& lines, int width, int height, int scale) {
+Image draw_panel(const std::vector<PanelLine>& lines, int width, int height, int scale,
+                 double measure) {
   Image panel = filled(width * scale, height * scale, kPaper);
-  const double font = std::max(7.0, std::min(width / 26.0, height / 44.0)) * scale;
+  const double font = std::max(7.0, std::min(width / measure, height / 44.0)) * scale;
   const int margin = static_cast<int>(font), room = panel.width - 2 * margin;
   double y = font;
   for (const PanelLine& line : lines) {

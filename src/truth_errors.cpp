@@ -32,6 +32,13 @@ void check_lengths(std::size_t points, std::size_t truth) {
 
 }  // namespace
 
+std::vector<std::uint32_t> object_labels(std::vector<std::uint32_t> labels, std::uint32_t divide) {
+  if (divide == 0) throw Error(Error::Kind::Usage, "truth labels are divided by 0; expected 1 up");
+  for (std::uint32_t& label : labels)
+    if (label != 0) label = std::max(1u, label / divide * divide);
+  return labels;
+}
+
 std::vector<std::uint32_t> patch_truth(std::span<const std::int32_t> point_patch,
                                        std::span<const std::uint32_t> truth,
                                        std::size_t patch_count, double purity) {

@@ -16,6 +16,11 @@
 /// Labels of the truth are as score_labels() takes them; 0 is none.
 namespace planescope {
 
+/// The parts of an object merged as merge_truth() does, each object under the lowest label that it
+/// may have: 0 stays 0, else label / divide * divide, and 1 for those below `divide`.
+/// \throws Error{Kind::Usage} divide is 0.
+std::vector<std::uint32_t> object_labels(std::vector<std::uint32_t> labels, std::uint32_t divide);
+
 /// The true object of each patch: that of most of its points, where they are `purity` of those with
 /// truth at least; else 0: the patch straddles two objects (or has no truth), and no edge of it is
 /// judged. \throws Error{Kind::Input} `truth` has another length than `point_patch`.

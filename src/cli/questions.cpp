@@ -9,6 +9,7 @@
 #include "cli/values.hpp"
 #include "planescope/error.hpp"
 #include "planescope/io.hpp"
+#include "planescope/truth_errors.hpp"
 
 namespace planescope::cli {
 namespace {
@@ -114,13 +115,10 @@ std::vector<std::uint32_t> Question::truth(const StoredScene& stored) const {
                                         " points, the scene has " +
                                         std::to_string(stored.cloud.size()) +
                                         "; name the cloud that the scene was made from");
-  std::vector<std::uint32_t> counted =
-      apply_policy(stored.scene.point_label, labels, policy_.policy);
-  const std::uint32_t divide = policy_.policy.divide;
-  if (divide == 1) return counted;
-  for (std::uint32_t& label : counted)  // of merge_truth(): label / divide + 1
-    label = label == 0 ? 0 : std::max(1u, (label - 1) * divide);
-  return counted;
+  TruthPolicy undivided = policy_.policy;
+  undivided.divide = 1;
+  return object_labels(apply_policy(stored.scene.point_label, labels, undivided),
+                       policy_.policy.divide);
 }
 
 }  // namespace planescope::cli
