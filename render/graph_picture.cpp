@@ -104,7 +104,9 @@ draw::Solids tubes(const SceneData& scene, const EdgeClasses& classes, const dra
 draw::Image draw_view(draw::Drawing& drawing, const SceneData& scene, const RenderOptions& options,
                       const EdgeClasses& classes, const std::vector<PointError>& errors) {
   const draw::Shot& shot = drawing.shot();
-  std::vector<Pixel> pixels = ground(scene, drawing.colors(), has(options.layers, Layer::Segments));
+  // Segments alone are what one gets who asked for no layers.
+  const bool segments = options.layers != Layer::Segments && has(options.layers, Layer::Segments);
+  std::vector<Pixel> pixels = ground(scene, drawing.colors(), segments);
   if (!errors.empty()) tint(pixels, errors);
   const auto [width, height] = options.size;
   const Camera camera = shot.camera(static_cast<double>(width) / height, {});

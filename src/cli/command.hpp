@@ -25,6 +25,7 @@ Command add_evaluate(CLI::App& program);
 Command add_figure(CLI::App& program);
 Command add_batch(CLI::App& program);
 Command add_explain(CLI::App& program);
+Command add_sweep(CLI::App& program);
 Command add_synthesize(CLI::App& program);
 
 /// Runs the program. \returns the exit code; what goes wrong below is thrown.
