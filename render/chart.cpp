@@ -6,8 +6,6 @@
 #include <cmath>
 
 #include <vtkAxis.h>
-#include <vtkBrush.h>
-#include <vtkChartLegend.h>
 #include <vtkChartXY.h>
 #include <vtkContextActor.h>
 #include <vtkContextScene.h>
@@ -21,6 +19,7 @@
 #include <vtkTable.h>
 #include <vtkTextProperty.h>
 
+#include "overlay.hpp"
 #include "palette.hpp"
 #include "vtk_arrays.hpp"
 #include "window.hpp"
@@ -83,12 +82,7 @@ vtkSmartPointer<vtkChartXY> make_chart(const Chart& chart, const ChartAxis& axis
                                        bool last) {
   auto xy = vtkSmartPointer<vtkChartXY>::New();
   xy->SetAutoSize(false);
-  xy->SetShowLegend(true);
-  style_text(*xy->GetLegend()->GetLabelProperties(), 0.9 * font);
-  xy->GetLegend()->GetPen()->SetOpacity(0);
-  xy->GetLegend()->SetInline(false);  // beside the curves, not over them
-  xy->GetLegend()->SetHorizontalAlignment(vtkChartLegend::RIGHT);
-  xy->GetLegend()->SetVerticalAlignment(vtkChartLegend::TOP);
+  xy->SetShowLegend(false);
   const auto data = table(chart, axis);
   for (std::size_t i = 0; i < chart.curves.size(); ++i) {
     auto* line = vtkPlotLine::SafeDownCast(xy->AddPlot(vtkChart::LINE));
@@ -104,6 +98,15 @@ vtkSmartPointer<vtkChartXY> make_chart(const Chart& chart, const ChartAxis& axis
   set_x(*xy->GetAxis(vtkAxis::BOTTOM), axis);
   set_y(*xy->GetAxis(vtkAxis::LEFT), chart);
   return xy;
+}
+
+/// Names beside the curves, from this corner down.
+void add_legend(vtkRenderer& renderer, const Chart& chart, double x, double y, double font) {
+  for (const Curve& curve : chart.curves) {
+    add_box(renderer, x, y - 0.12 * font, 1.6 * font, 0.24 * font, curve.color);
+    add_text(renderer, curve.name, {x + 2.1 * font, y}, 0.9 * font, kInk);
+    y -= 1.35 * font;
+  }
 }
 
 }  // namespace
@@ -127,10 +130,15 @@ Image draw_charts(const std::vector<Chart>& charts, const ChartAxis& axis, const
       style_text(*chart->GetTitleProperties(), 1.2 * font);
     }
     const float bottom = height - top - each * static_cast<float>(i + 1);
-    const float extra = i == 0 ? top : 0;
-    const auto inset = static_cast<float>(font);
-    chart->SetSize(vtkRectf(inset, bottom + inset / 2, width - 2 * inset, each + extra - inset));
+    // The axes' own place, so that those of all charts stand below each other; beside it there is
+    // room for titles and the longest legend.
+    const auto letter = static_cast<float>(font);
+    chart->SetLayoutStrategy(vtkChart::AXES_TO_RECT);
+    chart->SetSize(
+        vtkRectf(4.5f * letter, bottom + 3.2f * letter, width - 22 * letter, each - 3.9f * letter));
     actor->GetScene()->AddItem(chart);
+    add_legend(*renderer, charts[i], width - 16.8 * font,
+               static_cast<double>(bottom + each) - 1.4 * font, font);
   }
   actor->GetScene()->SetRenderer(renderer);
   renderer->AddActor(actor);

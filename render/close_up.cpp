@@ -153,7 +153,8 @@ void draw(const StoredScene& stored, const CloseUp& what, const CloseUpOptions& 
   const Camera camera = camera_for(stored, what);
   drawing.camera.fixed = in_world(camera, scene);
   Drawing view(scene, drawing);
-  Actors extras = sheet_actors(what.sheets, camera, 2.0 * options.supersample);
+  Actors extras = sheet_actors(what.sheets, camera, 2.0 * options.supersample,
+                               0.4 * static_cast<double>(stored.scene.graph.patch_size));
   if (what.solids.size() > 0) extras.push_back(what.solids.actor());
   Annotation words;
   words.marks = marks(what, camera, static_cast<double>(drawing.size[0]) / drawing.size[1]);

@@ -48,9 +48,16 @@ struct Cells {
   }
 };
 
+std::vector<Eigen::Vector3d> raised(std::vector<Eigen::Vector3d> corners, const Camera& camera,
+                                    double lift) {
+  for (Eigen::Vector3d& corner : corners) corner = lifted(corner, camera.eye(), lift);
+  return corners;
+}
+
 }  // namespace
 
-Actors sheet_actors(const std::vector<Sheet>& sheets, const Camera& camera, double width) {
+Actors sheet_actors(const std::vector<Sheet>& sheets, const Camera& camera, double width,
+                    double lift) {
   Cells fills, outlines;
   std::vector<FlatPolygon> polygons;
   for (std::size_t i = 0; i < sheets.size(); ++i) {
@@ -59,10 +66,10 @@ Actors sheet_actors(const std::vector<Sheet>& sheets, const Camera& camera, doub
     polygons.push_back({sheet.corners, sheet.normal, sheet.normal.dot(sheet.corners[0]), i});
     std::vector<Eigen::Vector3d> around = sheet.corners;
     around.push_back(around.front());
-    outlines.add(around, darken(sheet.color, 0.25));
+    outlines.add(raised(around, camera, 1.2 * lift), darken(sheet.color, 0.25));
   }
   for (const FlatPolygon& piece : painters_order(std::move(polygons), camera.eye()))
-    fills.add(piece.corners, sheets[piece.source].color);
+    fills.add(raised(piece.corners, camera, lift), sheets[piece.source].color);
   if (fills.cells->GetNumberOfCells() == 0) return {};
   auto fill = fills.actor(false);
   fill->GetProperty()->SetOpacity(kOpacity);

@@ -9,7 +9,9 @@
 
 namespace planescope::draw {
 
-/// Translucent fills in painter's order, and outlines `width` pixels of the drawn picture wide.
-Actors sheet_actors(const std::vector<Sheet>& sheets, const Camera& camera, double width);
+/// Translucent fills in painter's order, and outlines `width` pixels of the drawn picture wide, all
+/// moved towards the camera by `lift` [m], out of the points' noise.
+Actors sheet_actors(const std::vector<Sheet>& sheets, const Camera& camera, double width,
+                    double lift);
 
 }  // namespace planescope::draw
