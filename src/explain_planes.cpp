@@ -117,6 +117,13 @@ PlaneExplainer::PlaneExplainer(const Segmentation& scene) {
   if (!scene.method.is_ours())
     throw Error(Error::Kind::Usage, "explain: the result is of method `" + scene.method.name +
                                         "`, which says nothing of its planes; segment with ours");
+  for (const SupportingPlane& plane : scene.planes) {
+    if (plane.hypothesis >= scene.selection.hypotheses.size() ||
+        !scene.selection.hypotheses[plane.hypothesis].selected)
+      throw Error(Error::Kind::Input, "explain: a plane grew from hypothesis " +
+                                          std::to_string(plane.hypothesis) +
+                                          ", which was not selected; segment the scene again");
+  }
   parts_ = std::make_unique<Parts>(scene);
 }
 PlaneExplainer::~PlaneExplainer() = default;

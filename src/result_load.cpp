@@ -95,15 +95,6 @@ Segment read_segment(const Node& node, std::size_t index, std::size_t planes) {
   return segment;
 }
 
-/// Every supporting plane must have grown from a hypothesis that was selected.
-void check_hypotheses(const Node& planes, const Result& result) {
-  const auto& all = result.selection.hypotheses;
-  for (const SupportingPlane& plane : result.planes) {
-    if (plane.hypothesis >= all.size() || !all[plane.hypothesis].selected)
-      planes.fail("planes of hypotheses that were selected");
-  }
-}
-
 void read_json(const Node& root, Result& result) {
   if (root["schema"].count() != static_cast<std::uint32_t>(kResultSchema)) {
     root["schema"].fail(std::to_string(kResultSchema) + ", which this planescope reads");
@@ -120,10 +111,7 @@ void read_json(const Node& root, Result& result) {
   for (const Node& node : root["planes"].items()) {
     result.planes.push_back(read_plane(node, result.planes.size()));
   }
-  if (!root["hypotheses"].null()) {
-    result.selection = read_selection(root["hypotheses"]);
-    check_hypotheses(root["planes"], result);
-  }
+  if (!root["hypotheses"].null()) result.selection = read_selection(root["hypotheses"]);
   for (const Node& node : root["segments"].items()) {
     result.segments.push_back(read_segment(node, result.segments.size(), result.planes.size()));
   }

@@ -229,6 +229,8 @@ TEST(Explain, WhatWouldFlipAnEdgeDoesFlipIt) {
     const auto [explained, flipped] = tally[static_cast<EdgeRule>(rule)];
     EXPECT_GE(flipped, 3) << name(static_cast<EdgeRule>(rule)) << " of " << explained;
     all += flipped;
+    RecordProperty(std::string(name(static_cast<EdgeRule>(rule))),
+                   std::to_string(flipped) + " of " + std::to_string(explained));
   }
   EXPECT_GE(all, 50);
 }

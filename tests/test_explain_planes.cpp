@@ -158,5 +158,13 @@ TEST(ExplainPlanes, PeersAreNotAsked) {
   EXPECT_THROW(PlaneExplainer{scene}, Error);
 }
 
+TEST(ExplainPlanes, PlanesWithoutTheirHypothesesAreRefused) {
+  Segmentation scene = room().scene;
+  scene.selection.hypotheses[scene.planes[0].hypothesis].selected = false;
+  EXPECT_THROW(PlaneExplainer{scene}, Error);
+  scene.selection.hypotheses.clear();
+  EXPECT_THROW(PlaneExplainer{scene}, Error);
+}
+
 }  // namespace
 }  // namespace planescope

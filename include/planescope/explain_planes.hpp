@@ -71,7 +71,8 @@ struct MissingExplanation {
 /// Explains planes of one scene; keeps what it computed.
 class PlaneExplainer {
  public:
-  /// The scene must outlive it. \throws Error{Kind::Usage} the method is a peer.
+  /// The scene must outlive it. \throws Error{Kind::Usage} the method is a peer;
+  /// Error{Kind::Input} its planes and hypotheses do not belong together.
   explicit PlaneExplainer(const Segmentation& scene);
   ~PlaneExplainer();
   PlaneExplainer(const PlaneExplainer&) = delete;
