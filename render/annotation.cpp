@@ -15,10 +15,15 @@ constexpr double kSwatch = 2.2;  // a swatch's width over the font's size
 constexpr double kGap = 0.5;     // between swatch and text, over the font's size
 constexpr double kSmall = 0.72;  // of the font: note, bar, marks
 
+/// Of the swatch and the gap beside it, over the font's size.
+double swatch_width(const LegendEntry& entry) {
+  return entry.swatch == LegendEntry::Swatch::None ? 0 : kSwatch + kGap;
+}
+
 double legend_width(const std::vector<LegendEntry>& legend, int font) {
   double width = 0;
   for (const LegendEntry& entry : legend)
-    width += text_width(entry.text, font) + (kSwatch + 3 * kGap) * font;
+    width += text_width(entry.text, font) + (swatch_width(entry) + 2 * kGap) * font;
   return width;
 }
 
@@ -58,6 +63,8 @@ void add_swatch(const Sheet& sheet, const LegendEntry& entry, double x, double y
         add_box(sheet.renderer, x + start * width, y - 0.13 * font, 0.26 * width, 0.26 * font,
                 entry.color);
       break;
+    case LegendEntry::Swatch::None:
+      break;
   }
 }
 
@@ -71,8 +78,8 @@ void add_band(const Sheet& sheet, const Annotation& annotation, bool legend_belo
   double x = legend_below_title ? 0.6 * font : std::max(0.6 * font, sheet.width - all);
   for (const LegendEntry& entry : annotation.legend) {
     add_swatch(sheet, entry, x, y);
-    add_text(sheet.renderer, entry.text, {x + (kSwatch + kGap) * font, y}, font, sheet.inks.ink);
-    x += text_width(entry.text, font) + (kSwatch + 3 * kGap) * font;
+    add_text(sheet.renderer, entry.text, {x + swatch_width(entry) * font, y}, font, sheet.inks.ink);
+    x += text_width(entry.text, font) + (swatch_width(entry) + 2 * kGap) * font;
   }
 }
 
@@ -86,13 +93,37 @@ void add_scale_bar(const Sheet& sheet, const ScaleBar& bar) {
            sheet.inks.ink, Anchor::Centre);
 }
 
+/// The diagonal that is furthest from all arms.
+std::array<double, 2> free_corner(const std::vector<AxisMark>& axes) {
+  std::array<double, 2> best = {-1, 1};
+  double least = 2;
+  for (const std::array<double, 2>& corner :
+       std::array<std::array<double, 2>, 4>{{{-1, 1}, {-1, -1}, {1, 1}, {1, -1}}}) {
+    double most = -2;  // alignment with an arm
+    for (const AxisMark& axis : axes)
+      most = std::max(most, corner[0] * axis.tip[0] + corner[1] * axis.tip[1]);
+    if (most < least - 1e-9) {
+      least = most;
+      best = corner;
+    }
+  }
+  return best;
+}
+
 void add_axes(const Sheet& sheet, const std::vector<AxisMark>& axes) {
   const double font = sheet.font, arm = 2.2 * font;
   const double x = 3.4 * font, y = sheet.footer + 3.2 * font;
   for (const AxisMark& axis : axes) {
     const double dx = arm * axis.tip[0], dy = arm * axis.tip[1];
     add_line(sheet.renderer, {x, y}, {x + dx, y + dy}, 0.16 * font, axis.color);
-    const double length = std::max(std::hypot(dx, dy), 0.3 * font);
+    const double length = std::hypot(dx, dy);
+    if (length < 0.35 * font) {  // along the view: a dot, and its name where no arm is
+      add_box(sheet.renderer, x - 0.2 * font, y - 0.2 * font, 0.4 * font, 0.4 * font, axis.color);
+      const auto [away_x, away_y] = free_corner(axes);
+      add_text(sheet.renderer, axis.name, {x + 0.7 * font * away_x, y + 0.7 * font * away_y},
+               0.85 * font, axis.color, Anchor::Centre);
+      continue;
+    }
     const double reach = (length + 0.55 * font) / length;
     add_text(sheet.renderer, axis.name, {x + dx * reach, y + dy * reach}, 0.85 * font, axis.color,
              Anchor::Centre);
@@ -119,14 +150,16 @@ void shorten_legend(Annotation& annotation, int width, int height) {
   std::size_t dropped = 0;
   const auto too_wide = [&] {
     const std::string rest = "and " + std::to_string(dropped) + " more";
-    const double more = dropped > 0 ? text_width(rest, font) : 0;
+    const double more = dropped > 0 ? text_width(rest, font) + 2 * kGap * font : 0;
     return legend_width(annotation.legend, font) + more > width - font;
   };
   while (annotation.legend.size() > 1 && too_wide()) {
     annotation.legend.pop_back();
     ++dropped;
   }
-  if (dropped > 0) annotation.legend.back().text += ", and " + std::to_string(dropped) + " more";
+  if (dropped == 0) return;
+  annotation.legend.push_back(
+      {LegendEntry::Swatch::None, {}, "and " + std::to_string(dropped) + " more"});
 }
 
 std::size_t thin_out(std::vector<Mark>& marks, const Layout& layout) {

@@ -17,7 +17,7 @@ namespace planescope::draw {
 
 /// One entry of a legend.
 struct LegendEntry {
-  enum class Swatch { ThinLine, DashedLine, Box };
+  enum class Swatch { ThinLine, DashedLine, Box, None };
   Swatch swatch = Swatch::Box;
   Pixel color{};
   std::string text;

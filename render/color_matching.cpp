@@ -106,7 +106,30 @@ MatchedLabels match_labels(const std::vector<Labels>& labels, double least) {
   return matched;
 }
 
-std::vector<Pixel> color_objects(const MatchedLabels& matched, std::size_t points,
+std::vector<bool> objects_on_planes(const std::vector<Labels>& labels, const MatchedLabels& matched,
+                                    std::span<const std::int32_t> point_plane) {
+  std::vector<bool> flat(matched.points.size(), false), known(matched.points.size(), false);
+  const bool planes = std::ranges::any_of(point_plane, [](auto p) { return p != kNone; });
+  for (std::size_t s = 0; s < labels.size(); ++s) {
+    std::vector<std::size_t> all(flat.size(), 0), on(flat.size(), 0);
+    std::size_t total = 0;
+    for (std::size_t i = 0; i < labels[s].size(); ++i) {
+      if (labels[s][i] == kNoSegment) continue;
+      const std::uint32_t object = matched.object[s][labels[s][i]];
+      ++total;
+      ++all[object];
+      on[object] += point_plane[i] != kNone ? 1 : 0;
+    }
+    for (std::size_t object = 0; object < flat.size(); ++object) {
+      if (known[object] || all[object] == 0) continue;
+      known[object] = true;
+      flat[object] = planes ? 2 * on[object] > all[object] : 10 * all[object] >= total;
+    }
+  }
+  return flat;
+}
+
+std::vector<Pixel> color_objects(const MatchedLabels& matched, const std::vector<bool>& on_plane,
                                  const Neighbours& neighbours) {
   Neighbours apart = neighbours;
   const auto large = largest(matched.points, kTellApart);
@@ -114,7 +137,7 @@ std::vector<Pixel> color_objects(const MatchedLabels& matched, std::size_t point
     for (std::size_t j = 0; j < i; ++j)
       apart.emplace_back(std::min(large[i], large[j]), std::max(large[i], large[j]));
   std::vector<std::size_t> groups;
-  for (const std::size_t count : matched.points) groups.push_back(10 * count >= points ? 0 : 1);
+  for (const bool flat : on_plane) groups.push_back(flat ? 0 : 1);
   // Shading changes how light a large surface is from face to face: these differ in hue.
   std::vector<Pixel> calm;
   for (int hue = 75; hue < 435; hue += 40) calm.push_back(from_oklch(0.85, 0.085, hue));

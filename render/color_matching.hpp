@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "palette.hpp"
+#include "color_assignment.hpp"
 
 /// \file One colour for one object, in all segmentations of a scene.
 namespace planescope::draw {
@@ -25,11 +25,18 @@ struct MatchedLabels {
 MatchedLabels match_labels(const std::vector<std::span<const std::uint32_t>>& labels,
                            double least = 0.05);
 
-/// Colours of the objects: large ones (of at least a tenth of `points`) calm, others vivid;
+/// Colours of the objects: calm ones for those that lie on planes, vivid ones for others;
 /// neighbours are kept apart, and so are the 16 largest, wherever they are: a colour means an
 /// object.
-std::vector<Pixel> color_objects(const MatchedLabels& matched, std::size_t points,
+std::vector<Pixel> color_objects(const MatchedLabels& matched, const std::vector<bool>& on_plane,
                                  const Neighbours& neighbours);
+
+/// Which objects lie on planes: by more than half of the points that they have in the first
+/// segmentation that has them. Where no point has a plane: those of at least a tenth of the points.
+/// \param point_plane per point: plane, or kNone.
+std::vector<bool> objects_on_planes(const std::vector<std::span<const std::uint32_t>>& labels,
+                                    const MatchedLabels& matched,
+                                    std::span<const std::int32_t> point_plane);
 
 /// Pairs of objects that touch in some segmentation: those of patches that are adjacent.
 /// \param point_patch per point: patch, or kNone; \param edges pairs of patches.

@@ -17,6 +17,7 @@
 #include "depth_shading.hpp"
 #include "marks.hpp"
 #include "planescope/error.hpp"
+#include "scene_box.hpp"
 #include "sensor_noise.hpp"
 #include "thinning.hpp"
 #include "validate.hpp"
@@ -25,6 +26,8 @@ namespace planescope::draw {
 namespace {
 
 constexpr std::size_t kDepthSample = 200'000;
+constexpr double kRound = 5;  // [pixel of the picture] from here on corners of squares are seen
+
 vtkSmartPointer<vtkRenderer> make_renderer(Window& window, int layer) {
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
   renderer->SetLayer(layer);
@@ -45,11 +48,12 @@ void place(vtkRenderer& renderer, const Camera& camera, const double* clipping_r
 
 /// Nearest and farthest depth of what is drawn before the camera, with room to spare: both
 /// renderers share it, and with it the depth buffer.
-std::array<double, 2> depth_range(const PointCloud& cloud, const Camera& camera) {
+std::array<double, 2> depth_range(const PointCloud& cloud, const SceneBox& box,
+                                  const Camera& camera) {
   const std::size_t step = 1 + cloud.size() / kDepthSample;
   double nearest = std::numeric_limits<double>::infinity(), farthest = 1e-3;
   for (std::size_t i = 0; i < cloud.size(); i += step) {
-    if (!is_finite(cloud.positions[i])) continue;
+    if (!box.holds(cloud.positions[i])) continue;
     const double depth =
         (cloud.positions[i].cast<double>() - camera.position).dot(camera.forward());
     if (depth > 0) nearest = std::min(nearest, depth);
@@ -63,7 +67,7 @@ std::array<double, 2> depth_range(const PointCloud& cloud, const Camera& camera)
 namespace {
 
 SceneColors all_colors(const SceneData& scene, const RenderOptions& options, const Shot& shot) {
-  SceneColors colors = choose_colors(scene, options.palette);
+  SceneColors colors = scene_colors(scene, options);
   colors.heights = height_range(scene.result.cloud, shot.axes().up.cast<float>());
   if (!options.truth.empty()) add_truth(colors, scene, options.truth);
   return colors;
@@ -86,9 +90,14 @@ void Drawing::upload(const std::array<int, 2>& size, int scale) {
       options_.eye_dome_lighting ? Eigen::Vector3d(lamp.normalized()) : Eigen::Vector3d(0, 0, 0);
   painter_ = std::make_unique<PointPainter>(scene_, colors_, shot_.axes().up, light);
   std::vector<std::uint32_t> points = visible_points(scene_, shot_.cut());
-  if (points.size() >= kThinningPoints)
-    points = nearest_per_pixel(scene_.result.cloud, points, eye_, size[0] * scale, size[1] * scale);
-  points_ = std::make_unique<PointLayer>(scene_, *painter_, std::move(points));
+  Splats sizes = splats(scene_, points);
+  usual_splat_ = sizes.usual;
+  if (points.size() >= options_.thin_from) {
+    points = seen_splats(scene_.result.cloud, points, sizes.diameters, point_scale(size, scale),
+                         eye_, size[0] * scale, size[1] * scale);
+    sizes = splats(scene_, points);
+  }
+  points_ = std::make_unique<PointLayer>(scene_, *painter_, std::move(points), sizes.diameters);
   points_renderer_->AddActor(points_->actor());
 }
 
@@ -133,12 +142,20 @@ int Drawing::supersample(const std::array<int, 2>& size) const {
   return scale;
 }
 
+PointScale Drawing::point_scale(const std::array<int, 2>& size, int scale) const {
+  const double side = std::sqrt(static_cast<double>(size[0]) * size[1]);
+  const double depth = eye_.parallel() ? 1 : (eye_.focal - eye_.position).norm();
+  const PointScale squares{pixels_per_metre(eye_, static_cast<double>(size[1]) * scale, 1),
+                           options_.point_size * scale, static_cast<double>(scale),
+                           side * scale / 20};
+  return rounded(squares, usual_splat_, depth, kRound * scale);
+}
+
 void Drawing::show(Layer layers, const PointColors& colors, const Layout& layout, int scale) {
   given_colors_ != nullptr ? points_->show(*given_colors_) : points_->show(colors);
   const double side = std::sqrt(static_cast<double>(layout.width) * layout.height);
   const double height = static_cast<double>(layout.height) * scale;
-  points_->scale({pixels_per_metre(eye_, height, 1), options_.point_size * scale,
-                  static_cast<double>(scale), side * scale / 20});
+  points_->scale(point_scale({layout.width, layout.height}, scale));
   const Pen pen{scale * std::max(0.6, side / 1440), height};
   if (shading_) {  // at 1920 x 1080: two pixels and six
     const double size = scale * side / 1440;
@@ -153,11 +170,11 @@ void Drawing::show(Layer layers, const PointColors& colors, const Layout& layout
   if (has(layers, Layer::Graph)) add(graph_layer(scene_, shot_.cut(), eye_, pen));
 }
 
-void Drawing::complete(Annotation& annotation, const PointColors& colors,
+void Drawing::complete(Annotation& annotation, Layer layers, const PointColors& colors,
                        const std::array<int, 2>& size) const {
   const AnnotationOptions& asked = options_.annotation;
   if (asked.legend) {
-    const auto legend = color_legend(scene_, colors_, colors);
+    const auto legend = color_legend(scene_, colors_, colors, layers);
     annotation.legend.insert(annotation.legend.end(), legend.begin(), legend.end());
   }
   shorten_legend(annotation, size[0], size[1]);
@@ -192,14 +209,17 @@ Image Drawing::picture(const std::array<int, 2>& size, int scale, const Annotati
 Image Drawing::draw(Layer layers, const std::array<int, 2>& size, Annotation annotation,
                     ColorBy by) {
   const PointColors colors = point_colors(layers, by);
-  complete(annotation, colors, size);
+  if ((colors.patches || by == ColorBy::Patch) && colors_.patches.empty())
+    colors_.patches = patch_colors(scene_, options_.palette);
+  complete(annotation, layers, colors, size);
   const Layout layout(size[0], size[1], annotation);
   eye_ = camera(layout);
   mark(annotation, layout);
   const int scale = supersample(size);
   if (!points_) upload(size, scale);
   show(layers, colors, layout, scale);
-  const std::array<double, 2> depths = depth_range(scene_.result.cloud, eye_);
+  const std::array<double, 2> depths =
+      depth_range(scene_.result.cloud, SceneBox(scene_.result), eye_);
   place(*points_renderer_, eye_, depths.data());
   place(*shapes_renderer_, eye_, depths.data());
   Image image = picture(size, scale, annotation, layout);

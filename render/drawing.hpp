@@ -56,9 +56,10 @@ class Drawing {
   void make_renderers();
   void upload(const std::array<int, 2>& size, int scale);
   Camera camera(const Layout& layout) const;
-  void complete(Annotation& annotation, const PointColors& colors,
+  void complete(Annotation& annotation, Layer layers, const PointColors& colors,
                 const std::array<int, 2>& size) const;
   void mark(Annotation& annotation, const Layout& layout) const;
+  PointScale point_scale(const std::array<int, 2>& size, int scale) const;
   void show(Layer layers, const PointColors& colors, const Layout& layout, int scale);
   Image picture(const std::array<int, 2>& size, int scale, const Annotation& annotation,
                 const Layout& layout);
@@ -75,6 +76,7 @@ class Drawing {
   std::unique_ptr<PointLayer> points_;
   Actors shapes_;
   Camera eye_;
+  double usual_splat_ = 0;                            // [m]
   const std::vector<Pixel>* given_colors_ = nullptr;  // while draw_colored() runs
   Actors given_shapes_;                               // while draw_marked() runs
 };

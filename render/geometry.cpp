@@ -32,8 +32,8 @@ vtkSmartPointer<vtkPoints> centroids(const std::vector<Patch>& patches) {
 
 void add_membership(const Segmentation& scene, vtkDataSetAttributes& data) {
   const std::size_t count = scene.graph.patches.size();
-  data.AddArray(make_column<vtkIntArray>(
-      "plane", count, [&](std::size_t i) { return scene.patch_plane[i].plane; }));
+  data.AddArray(
+      make_column<vtkIntArray>("plane", count, [&](std::size_t i) { return scene.plane_of(i); }));
   data.AddArray(make_column<vtkUnsignedIntArray>(
       "label", count, [&](std::size_t i) { return scene.segments.patch_label[i]; }));
 }
@@ -112,6 +112,8 @@ vtkSmartPointer<vtkPolyData> patch_geometry(const Segmentation& scene) {
   };
   columns.AddArray(make_vectors<vtkFloatArray>("normal", patches.size(),
                                                [&](std::size_t i) { return patches[i].normal; }));
+  columns.AddArray(make_vectors<vtkFloatArray>(
+      "own_normal", patches.size(), [&](std::size_t i) { return patches[i].own_normal; }));
   columns.AddArray(make_vectors<vtkUnsignedCharArray>(
       "color", patches.size(), [&](std::size_t i) { return patches[i].color; }));
   add("curvature", &Patch::curvature);

@@ -6,7 +6,11 @@
 #include <cmath>
 #include <cstdio>
 
+#include "label_places.hpp"
+#include "overlay.hpp"
 #include "palette.hpp"
+#include "point_layer.hpp"
+#include "thinning.hpp"
 
 namespace planescope::draw {
 namespace {
@@ -17,7 +21,12 @@ std::string short_number(double value) {
   return text;
 }
 
-std::string area_text(double square_metres) { return short_number(square_metres) + " m\u00b2"; }
+/// Areas of one legend have the same number of digits.
+std::string area_text(double square_metres) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f m\u00b2", square_metres);
+  return text;
+}
 
 LegendEntry box(const Pixel& color, const std::string& text) {
   return {LegendEntry::Swatch::Box, color, text};
@@ -34,9 +43,18 @@ std::vector<LegendEntry> segment_legend(const SceneData& scene, const SceneColor
 std::vector<LegendEntry> plane_legend(const SceneData& scene, const SceneColors& colors) {
   std::vector<LegendEntry> legend;
   for (std::size_t i = 0; i < scene.result.planes.size(); ++i)
-    legend.push_back(box(colors.planes[i], "plane " + std::to_string(i) + ": " +
+    legend.push_back(box(colors.planes[i], std::string(name(scene.result.planes[i].role)) + " " +
+                                               std::to_string(i) + ": " +
                                                area_text(scene.result.planes[i].area)));
   return legend;
+}
+
+/// The cell of a place in normalised coordinates; the nearest one of those outside.
+std::array<int, 2> cell(const LabelMap& map, const Eigen::Vector3d& seen) {
+  const auto along = [](double share, int count) {
+    return static_cast<int>(std::clamp(std::floor(share * count), 0.0, count - 1.0));
+  };
+  return {along((seen.x() + 1) / 2, map.width), along((1 - seen.y()) / 2, map.height)};
 }
 
 /// Colours of a quantity at its ends and in the middle.
@@ -46,7 +64,9 @@ std::vector<LegendEntry> ramp_legend(const std::array<float, 2>& range, const Ma
   std::vector<LegendEntry> legend;
   for (const double t : {0.0, 0.5, 1.0}) {
     const double value = range[0] + t * (range[1] - range[0]);
-    legend.push_back(box(map(t), short_number(value) + unit));
+    // No -0.00445 m: what is nothing of the range is 0.
+    const bool none = std::abs(value) < 0.005 * std::abs(range[1] - range[0]);
+    legend.push_back(box(map(t), short_number(none ? 0 : value) + unit));
   }
   return legend;
 }
@@ -60,7 +80,7 @@ std::string length_text(double metres) {
 }
 
 std::vector<LegendEntry> color_legend(const SceneData& scene, const SceneColors& colors,
-                                      const PointColors& way) {
+                                      const PointColors& way, Layer layers) {
   switch (way.by) {
     case ColorBy::Segment:
       return segment_legend(scene, colors);
@@ -74,7 +94,11 @@ std::vector<LegendEntry> color_legend(const SceneData& scene, const SceneColors&
       return {box(direction_color({1, 0, 0}), "x"), box(direction_color({0, 1, 0}), "y"),
               box(direction_color({0, 0, 1}), "z")};
     case ColorBy::Layers:
-      return way.segments ? segment_legend(scene, colors) : std::vector<LegendEntry>{};
+      if (way.segments) return segment_legend(scene, colors);
+      if (way.faded && has(layers, Layer::Planes)) return plane_legend(scene, colors);
+      if (way.scene && !way.faded && !way.patches && !scene.result.has_colors)
+        return ramp_legend(colors.heights, height_color, " m");
+      return {};
     case ColorBy::Patch:
     case ColorBy::Truth:
     case ColorBy::Rgb:
@@ -83,18 +107,47 @@ std::vector<LegendEntry> color_legend(const SceneData& scene, const SceneColors&
   return {};
 }
 
+namespace {
+
+/// Which segment is seen in each cell of `side` pixels: that of the nearest point.
+LabelMap seen_labels(const SceneData& scene, const Cutaway& cut, const Camera& camera,
+                     const Layout& layout, int side) {
+  LabelMap map{std::max(1, layout.width / side), std::max(1, layout.height / side), {}};
+  map.labels.assign(static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height), 0);
+  const PointCloud& cloud = scene.result.cloud;
+  const double aspect = static_cast<double>(layout.width) / layout.height;
+  for (const std::uint32_t i :
+       nearest_per_pixel(cloud, visible_points(scene, cut), camera, map.width, map.height, 0)) {
+    const auto [x, y] = cell(map, project(camera, aspect, cloud.positions[i].cast<double>()));
+    map.labels[static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) +
+               static_cast<std::size_t>(x)] = scene.result.point_label[i];
+  }
+  return map;
+}
+
+}  // namespace
+
 std::vector<Mark> segment_marks(const SceneData& scene, const Cutaway& cut, const Camera& camera,
                                 const Layout& layout) {
   const double aspect = static_cast<double>(layout.width) / layout.height;
+  const int side = std::max(3, layout.font / 3);
+  const LabelMap map = seen_labels(scene, cut, camera, layout, side);
+  const auto& segments = scene.result.segments;
+  const auto places = label_places(
+      map, static_cast<std::uint32_t>(segments.size()),
+      [&](std::uint32_t label) {
+        return cell(map, project(camera, aspect, segments[label - 1].centroid.cast<double>()));
+      },
+      [&](std::uint32_t label) {
+        return 1 + static_cast<int>(text_width(std::to_string(label), layout.font) / (2 * side));
+      },
+      2);
   std::vector<Mark> marks;
-  for (const Segment& segment : scene.result.segments) {
-    if (cut.hides(segment.centroid, segment.plane)) continue;
-    const Eigen::Vector3d seen = project(camera, aspect, segment.centroid.cast<double>());
-    if (!(seen.z() > 0)) continue;
-    const double side = std::sqrt(std::max(segment.area, 0.0F));
-    const double pixels = side * pixels_per_metre(camera, layout.height, seen.z());
-    if (pixels < 1.2 * layout.font) continue;
-    marks.push_back({std::to_string(segment.label), {seen.x(), seen.y()}});
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (!places[i]) continue;
+    const auto& [x, y] = *places[i];
+    marks.push_back(
+        {std::to_string(i + 1), {2 * (x + 0.5) / map.width - 1, 1 - 2 * (y + 0.5) / map.height}});
   }
   return marks;
 }

@@ -12,12 +12,14 @@
 /// \file What a picture says of its scene: legends, numbers, lengths and directions.
 namespace planescope::draw {
 
-/// What the colours of the points say; empty where they speak for themselves (the cloud's own).
+/// What the colours of the points or, over grey ones, of the planes say; empty where they speak for
+/// themselves (the cloud's own).
 std::vector<LegendEntry> color_legend(const SceneData& scene, const SceneColors& colors,
-                                      const PointColors& way);
+                                      const PointColors& way, Layer layers);
 
-/// The numbers of segments at their centroids, largest first; segments that are seen smaller than
-/// their number would be, and those that are cut away, have none.
+/// The numbers of segments, largest first: at their centroids or, where something else is seen
+/// there, as near to them as they lie on what they name. Segments of which less is seen than their
+/// number would cover, and those that are cut away, have none.
 std::vector<Mark> segment_marks(const SceneData& scene, const Cutaway& cut, const Camera& camera,
                                 const Layout& layout);
 

@@ -13,11 +13,6 @@
 namespace planescope::draw {
 namespace {
 
-constexpr double kAlike = 0.06;  // Oklab: below it two areas that touch are taken for one
-
-constexpr std::array kVisions = {Vision::Normal, Vision::Protanopia, Vision::Deuteranopia,
-                                 Vision::Tritanopia, Vision::Grey};
-
 double to_linear(std::uint8_t value) {
   const double v = value / 255.0;
   return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
@@ -82,80 +77,6 @@ Pixel mix(const Pixel& a, const Pixel& b, double t) {
   return mixed;
 }
 
-double difference(const Pixel& a, const Pixel& b, Vision vision) {
-  return (to_oklab(seen_by(vision, a)) - to_oklab(seen_by(vision, b))).norm();
-}
-
-/// Contrast of every two candidates, all palettes in one list.
-struct Contrasts {
-  explicit Contrasts(const std::vector<std::vector<Pixel>>& palettes) {
-    for (const auto& palette : palettes) {
-      first.push_back(colors.size());
-      colors.insert(colors.end(), palette.begin(), palette.end());
-    }
-    first.push_back(colors.size());
-    for (std::size_t a = 0; a < colors.size(); ++a)
-      for (std::size_t b = 0; b < colors.size(); ++b)
-        pairs.push_back(
-            {contrast(colors[a], colors[b]), difference(colors[a], colors[b], Vision::Normal)});
-  }
-  struct Pair {
-    double worst, normal;
-  };
-  const Pair& operator()(std::size_t a, std::size_t b) const {
-    return pairs[a * colors.size() + b];
-  }
-
-  std::vector<Pixel> colors;
-  std::vector<std::size_t> first;  // of each palette, and the end
-  std::vector<Pair> pairs;
-};
-
-/// How well a candidate suits a thing whose neighbours have these colours.
-double suitability(std::size_t candidate, const Contrasts& contrasts,
-                   const std::vector<std::size_t>& neighbours, const std::vector<int>& uses) {
-  constexpr double kEnough = 0.30;  // beyond it two colours are different, and that is all
-  double nearest = 2 * kEnough, worst = kEnough, normal = kEnough;
-  for (const std::size_t color : neighbours) {
-    const Contrasts::Pair& pair = contrasts(candidate, color);
-    // Too alike for one kind of reader counts more than any liking.
-    nearest = std::min(nearest, pair.worst + pair.normal - 8 * std::max(0.0, kAlike - pair.worst));
-  }
-  for (std::size_t color = 0; color < uses.size(); ++color) {
-    if (uses[color] == 0) continue;
-    worst = std::min(worst, contrasts(candidate, color).worst);
-    normal = std::min(normal, contrasts(candidate, color).normal);
-  }
-  return nearest + 0.2 * worst + 0.6 * normal - 0.02 * uses[candidate];
-}
-
-/// The least contrast of a candidate with its neighbours' colours.
-double least_contrast(const Contrasts& contrasts, std::size_t candidate,
-                      const std::vector<std::size_t>& neighbours) {
-  double least = 1;
-  for (const std::size_t color : neighbours)
-    least = std::min(least, contrasts(candidate, color).worst);
-  return least;
-}
-
-/// The candidate of a group that suits best.
-std::size_t best_candidate(const Contrasts& contrasts, std::size_t group,
-                           const std::vector<std::size_t>& neighbours,
-                           const std::vector<int>& uses) {
-  constexpr double kLater = 0.004;  // candidates are listed best first
-  double best = -std::numeric_limits<double>::infinity();
-  std::size_t chosen = contrasts.first[group];
-  for (std::size_t c = contrasts.first[group]; c < contrasts.first[group + 1]; ++c) {
-    const double value = suitability(c, contrasts, neighbours, uses) -
-                         kLater * static_cast<double>(c - contrasts.first[group]);
-    if (value > best) {
-      best = value;
-      chosen = c;
-    }
-  }
-  return chosen;
-}
-
 }  // namespace
 
 Pixel seen_by(Vision vision, const Pixel& color) {
@@ -176,6 +97,10 @@ Pixel from_oklch(double lightness, double chroma, double hue) {
     if (light.minCoeff() >= -1e-4 && light.maxCoeff() <= 1 + 1e-4) return pixel(light);
   }
   return pixel(Eigen::Vector3d::Constant(std::pow(lightness, 3)));
+}
+
+double difference(const Pixel& a, const Pixel& b, Vision vision) {
+  return (to_oklab(seen_by(vision, a)) - to_oklab(seen_by(vision, b))).norm();
 }
 
 double contrast(const Pixel& a, const Pixel& b) {
@@ -214,55 +139,6 @@ std::vector<Pixel> vivid_colors() {
     for (const auto& [hue, lightness] : hues)
       colors.push_back(from_oklch(std::min(lightness + shift, 0.88), 0.17, hue));
   return colors;
-}
-
-std::vector<Pixel> assign_colors(const std::vector<std::size_t>& groups,
-                                 const std::vector<std::vector<Pixel>>& palettes,
-                                 const Neighbours& neighbours) {
-  const Contrasts contrasts(palettes);
-  std::vector<std::vector<std::uint32_t>> adjacent(groups.size());
-  for (const auto& [a, b] : neighbours) {
-    adjacent[a].push_back(b);
-    adjacent[b].push_back(a);
-  }
-  std::vector<std::size_t> chosen(groups.size());
-  std::vector<int> uses(contrasts.colors.size(), 0);
-  const auto around = [&](std::size_t i, std::size_t colored) {
-    std::vector<std::size_t> colors;
-    for (const std::uint32_t other : adjacent[i])
-      if (other < colored && other != i) colors.push_back(chosen[other]);
-    std::sort(colors.begin(), colors.end());
-    colors.erase(std::unique(colors.begin(), colors.end()), colors.end());
-    return colors;
-  };
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    chosen[i] = best_candidate(contrasts, groups[i], around(i, i), uses);
-    ++uses[chosen[i]];
-  }
-  for (int sweep = 0; sweep < 3; ++sweep) {
-    for (std::size_t i = groups.size(); i-- > 0;) {  // the smallest first: they have more freedom
-      const std::vector<std::size_t> neighbour_colors = around(i, groups.size());
-      if (least_contrast(contrasts, chosen[i], neighbour_colors) > kAlike) continue;
-      --uses[chosen[i]];
-      const std::size_t other = best_candidate(contrasts, groups[i], neighbour_colors, uses);
-      if (least_contrast(contrasts, other, neighbour_colors) >
-          least_contrast(contrasts, chosen[i], neighbour_colors))
-        chosen[i] = other;
-      ++uses[chosen[i]];
-    }
-  }
-  std::vector<Pixel> colors;
-  for (const std::size_t c : chosen) colors.push_back(contrasts.colors[c]);
-  return colors;
-}
-
-std::array<double, 5> least_differences(const std::vector<Pixel>& colors,
-                                        const Neighbours& neighbours) {
-  std::array<double, 5> least{1, 1, 1, 1, 1};
-  for (const auto& [a, b] : neighbours)
-    for (std::size_t v = 0; v < kVisions.size(); ++v)
-      least[v] = std::min(least[v], difference(colors[a], colors[b], kVisions[v]));
-  return least;
 }
 
 Pixel deepened(const Pixel& color) {

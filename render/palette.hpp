@@ -4,19 +4,20 @@
 
 #include <array>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "image.hpp"
 
-/// \file Colours: which ones there are, how different two of them look, and who gets which.
+/// \file Colours: which ones there are, and how different two of them look.
 namespace planescope::draw {
 
 /// How a reader sees: with three kinds of cones, or without one of them.
 /// Grey: in print without colours.
 enum class Vision { Normal, Protanopia, Deuteranopia, Tritanopia, Grey };
+inline constexpr std::array kVisions = {Vision::Normal, Vision::Protanopia, Vision::Deuteranopia,
+                                        Vision::Tritanopia, Vision::Grey};
 
 /// What a colour looks like to such a reader. Protanopia, deuteranopia and tritanopia by the
 /// matrices of Machado, Oliveira and Fernandes (IEEE TVCG 15(6), 2009) at full severity, in linear
@@ -31,6 +32,9 @@ Eigen::Vector3d to_oklab(const Pixel& color);
 /// lowered until it fits.
 Pixel from_oklch(double lightness, double chroma, double hue);
 
+/// How different two colours look to such a reader: their Oklab distance.
+double difference(const Pixel& a, const Pixel& b, Vision vision);
+
 /// How different two colours look to the reader who tells them apart worst: the least Oklab
 /// distance over all kinds of vision.
 double contrast(const Pixel& a, const Pixel& b);
@@ -42,23 +46,6 @@ std::vector<Pixel> vivid_colors();
 
 /// Steps of grey.
 std::vector<Pixel> grey_colors();
-
-/// A pair of things that touch and must not look alike.
-using Neighbours = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
-
-/// Gives each of `groups.size()` things a colour from its group's candidates (palettes[groups[i]]),
-/// in order: the candidate that contrasts most with its neighbours' colours so far, and with all
-/// others in use, for every reader; candidates that are listed first, or are used less, are
-/// preferred by a little. Then those that look too much like a neighbour are given another one, in
-/// view of all their neighbours.
-std::vector<Pixel> assign_colors(const std::vector<std::size_t>& groups,
-                                 const std::vector<std::vector<Pixel>>& palettes,
-                                 const Neighbours& neighbours);
-
-/// What a reader of any kind has least to go by: the least Oklab distance between the colours of
-/// neighbours, for each kind of vision in the order of Vision. 1 without neighbours.
-std::array<double, 5> least_differences(const std::vector<Pixel>& colors,
-                                        const Neighbours& neighbours);
 
 /// A colour of the same hue, deep enough to be seen through: that of a plane, from the colour of
 /// the segment on it.
@@ -84,7 +71,7 @@ double luma(const Pixel& color);
 
 inline constexpr Pixel kUnlabelled = {150, 150, 150};  ///< points in no segment
 inline constexpr Pixel kInk = {35, 38, 43};            ///< text
-inline constexpr Pixel kEdgeOn = {38, 70, 150};        ///< ON edges: dark, thin, solid
-inline constexpr Pixel kEdgeOff = {226, 74, 14};       ///< OFF edges: bright, thick, dashed
+inline constexpr Pixel kEdgeOn = {74, 128, 208};       ///< ON edges: light, thin, solid
+inline constexpr Pixel kEdgeOff = {176, 22, 14};       ///< OFF edges: dark, thick, dashed
 
 }  // namespace planescope::draw

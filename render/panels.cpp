@@ -99,9 +99,8 @@ std::vector<std::vector<Pixel>> choose_label_colors(const Segmentation& scene,
   const auto touching =
       draw::touching_objects(labels, matched, scene.graph.point_patch, scene.graph.patches.size(),
                              patch_pairs(scene.graph));
-  const auto points = static_cast<std::size_t>(
-      order.empty() ? 0 : std::ranges::count_if(labels.front(), [](auto l) { return l != 0; }));
-  const std::vector<Pixel> colors = draw::color_objects(matched, points, touching);
+  const std::vector<Pixel> colors = draw::color_objects(
+      matched, draw::objects_on_planes(labels, matched, scene.point_plane), touching);
   std::vector<std::vector<Pixel>> chosen(panels.size());
   for (std::size_t k = 0; k < order.size(); ++k) {
     for (const std::uint32_t object : matched.object[k])

@@ -112,17 +112,38 @@ Neighbours segment_neighbours(const SceneData& scene) {
   return pairs;
 }
 
-SceneColors choose_colors(const SceneData& scene, Palette palette) {
+SceneColors choose_colors(const SceneData& scene, Palette palette,
+                          const std::vector<std::optional<Pixel>>& given) {
   const Result& result = scene.result;
   std::vector<std::size_t> groups;
   for (const Segment& segment : result.segments) groups.push_back(segment.plane == kNone ? 1 : 0);
   const auto palettes = candidates(palette);
   SceneColors colors;
-  colors.segments = assign_colors(groups, palettes, segment_neighbours(scene));
+  colors.segments = assign_colors(groups, palettes, segment_neighbours(scene), given);
   colors.planes = plane_colors(result, colors.segments, palettes[0]);
-  colors.patches = assign_colors(std::vector<std::size_t>(result.patch_count, 0), {palettes[1]},
-                                 patch_neighbours(scene));
   return colors;
+}
+
+std::vector<Pixel> patch_colors(const SceneData& scene, Palette palette) {
+  return assign_colors(std::vector<std::size_t>(scene.result.patch_count, 0),
+                       {candidates(palette)[1]}, patch_neighbours(scene));
+}
+
+SceneColors scene_colors(const SceneData& scene, const RenderOptions& options) {
+  if (!options.colors_of) return choose_colors(scene, options.palette);
+  const SceneData other = scene_data(*options.colors_of);
+  const Result& result = scene.result;
+  if (other.result.cloud.size() != result.cloud.size())
+    throw Error(Error::Kind::Usage,
+                "colours of " + options.colors_of->string() + ": it has " +
+                    std::to_string(other.result.cloud.size()) + " points, the scene has " +
+                    std::to_string(result.cloud.size()) + "; name a result of the same cloud");
+  const std::vector<Pixel> colors = choose_colors(other, options.palette).segments;
+  std::vector<std::optional<Pixel>> given(result.segments.size());
+  constexpr double kSame = 0.25;  // overlap of segments that are the same thing
+  for (const LabelPair& pair : match_labels(other.result.point_label, result.point_label))
+    if (pair.overlap >= kSame) given[pair.second - 1] = colors[pair.first - 1];
+  return choose_colors(scene, options.palette, given);
 }
 
 void add_truth(SceneColors& colors, const SceneData& scene,

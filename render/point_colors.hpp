@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include "color_assignment.hpp"
 #include "image.hpp"
 #include "palette.hpp"
 #include "planescope/render.hpp"
@@ -34,7 +35,7 @@ PointColors point_colors(Layer layers, ColorBy by);
 struct SceneColors {
   std::vector<Pixel> segments;            ///< index = label - 1
   std::vector<Pixel> planes;              ///< index = plane
-  std::vector<Pixel> patches;             ///< index = patch
+  std::vector<Pixel> patches;             ///< index = patch; empty until somebody asks
   std::vector<std::uint32_t> truth;       ///< of each point: 0, or an index into regions + 1
   std::vector<Pixel> regions;             ///< of the truth
   std::array<float, 2> heights = {0, 1};  ///< [m] lowest and highest along up
@@ -42,7 +43,16 @@ struct SceneColors {
 
 /// Segments that lie on planes get calm colours, objects vivid ones; what touches in the graph is
 /// kept apart. A plane has the hue of the largest segment on it.
-SceneColors choose_colors(const SceneData& scene, Palette palette = Palette::Standard);
+/// \param given colours that segments have already and keep; see assign_colors().
+SceneColors choose_colors(const SceneData& scene, Palette palette = Palette::Standard,
+                          const std::vector<std::optional<Pixel>>& given = {});
+
+/// Colours of patches, such that those that touch differ. There are many: it takes a while.
+std::vector<Pixel> patch_colors(const SceneData& scene, Palette palette);
+
+/// The colours that a picture with these options has. \throws Error{Kind::Input} the folder that
+/// they name is none; Error{Kind::Usage} it is of another cloud.
+SceneColors scene_colors(const SceneData& scene, const RenderOptions& options);
 
 /// Segments that touch: pairs of label - 1.
 Neighbours segment_neighbours(const SceneData& scene);

@@ -8,6 +8,7 @@
 
 #include <vtkCellArray.h>
 #include <vtkDataObject.h>
+#include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -17,55 +18,24 @@
 #include <vtkUniforms.h>
 #include <vtkUnsignedCharArray.h>
 
+#include "scene_box.hpp"
 #include "vtk_arrays.hpp"
 
 namespace planescope::draw {
-namespace {
-
-constexpr double kOverlap = 1.7;  // splat over spacing: random samples close to the eye
-
-/// The median of values, 0 without any.
-float median(std::vector<float> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-/// sqrt(area / points) of each patch [m], held within a factor of four of their median.
-std::vector<float> patch_spacings(const SceneData& scene) {
-  vtkDataArray& area = *scene.patches->GetPointData()->GetArray("area");
-  vtkDataArray& count = *scene.patches->GetPointData()->GetArray("point_count");
-  std::vector<float> spacings;
-  for (vtkIdType i = 0; i < area.GetNumberOfTuples(); ++i) {
-    const double ratio = area.GetTuple1(i) / std::max(count.GetTuple1(i), 1.0);
-    spacings.push_back(static_cast<float>(std::sqrt(std::max(ratio, 0.0))));
-  }
-  const float usual = median(spacings);
-  for (float& spacing : spacings) spacing = std::clamp(spacing, usual / 4, usual * 4);
-  return spacings;
-}
-
-/// [m] What stands in for it where the method has no patches.
-float cloud_spacing(const PointCloud& cloud) {
-  return static_cast<float>(measure_scale(cloud).spacing);
-}
-
-}  // namespace
-
 std::vector<std::uint32_t> visible_points(const SceneData& scene, const Cutaway& cut) {
   const Result& result = scene.result;
+  const SceneBox box(result);
   std::vector<std::uint32_t> points;
   for (std::size_t i = 0; i < result.cloud.size(); ++i) {
     const Eigen::Vector3f& p = result.cloud.positions[i];
-    if (!is_finite(p) || (cut.any() && cut.hides(p, result.point_plane[i]))) continue;
+    if (!box.holds(p) || (cut.any() && cut.hides(p, result.point_plane[i]))) continue;
     points.push_back(static_cast<std::uint32_t>(i));
   }
   return points;
 }
 
 PointLayer::PointLayer(const SceneData& scene, const PointPainter& painter,
-                       std::vector<std::uint32_t> points)
+                       std::vector<std::uint32_t> points, const std::vector<float>& diameters)
     : scene_(scene),
       painter_(painter),
       points_(std::move(points)),
@@ -73,7 +43,8 @@ PointLayer::PointLayer(const SceneData& scene, const PointPainter& painter,
       mapper_(vtkSmartPointer<vtkPolyDataMapper>::New()),
       actor_(vtkSmartPointer<vtkActor>::New()) {
   add_points();
-  data_->GetPointData()->AddArray(splats());
+  data_->GetPointData()->AddArray(make_column<vtkFloatArray>(
+      "splat", points_.size(), [&](std::size_t i) { return diameters[i]; }));
   mapper_->SetInputData(data_);
   mapper_->SetColorModeToDirectScalars();
   mapper_->SetScalarModeToUsePointFieldData();
@@ -96,15 +67,6 @@ void PointLayer::add_points() {
   vtkNew<vtkCellArray> vertices;
   vertices->SetData(offsets, ids);
   data_->SetVerts(vertices);
-}
-
-vtkSmartPointer<vtkFloatArray> PointLayer::splats() const {
-  const std::vector<float> spacing = patch_spacings(scene_);
-  const float usual = spacing.empty() ? cloud_spacing(scene_.result.cloud) : median(spacing);
-  return make_column<vtkFloatArray>("splat", points_.size(), [&](std::size_t i) {
-    const std::int32_t patch = scene_.result.point_patch[points_[i]];
-    return kOverlap * (patch == kNone ? usual : spacing[static_cast<std::size_t>(patch)]);
-  });
 }
 
 void PointLayer::show(const PointColors& way) {
@@ -142,7 +104,10 @@ void PointLayer::show(const std::vector<Pixel>& colors) {
   mapper_->SelectColorArray(kName);
 }
 
-void PointLayer::scale(const PointScale& scale) { set_point_scale(*actor_, scale); }
+void PointLayer::scale(const PointScale& scale) {
+  use_shape(*actor_, scale.shape);
+  set_point_scale(*actor_, scale);
+}
 
 void use_splats(vtkActor& actor, vtkPolyDataMapper& mapper, const char* splat) {
   const bool by_array = *splat != '\0';
@@ -159,6 +124,18 @@ void use_splats(vtkActor& actor, vtkPolyDataMapper& mapper, const char* splat) {
       std::string("//VTK::PositionVC::Impl\n  gl_PointSize = clamp(") +
           (by_array ? "splat * splatScale / gl_Position.w" : "splatLeast") +
           ", splatLeast, splatMost);\n",
+      false);
+}
+
+void use_shape(vtkActor& actor, SplatShape shape) {
+  constexpr const char* kPlace = "//VTK::Clip::Impl";  // before anything is worked out
+  vtkShaderProperty& shader = *actor.GetShaderProperty();
+  shader.ClearFragmentShaderReplacement(kPlace, true);
+  if (shape == SplatShape::Square) return;
+  shader.AddFragmentShaderReplacement(
+      kPlace, true,
+      "vec2 fromMiddle = gl_PointCoord - 0.5;\n"
+      "  if (dot(fromMiddle, fromMiddle) > 0.25) discard;\n  //VTK::Clip::Impl\n",
       false);
 }
 

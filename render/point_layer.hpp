@@ -6,34 +6,24 @@
 #include <vector>
 
 #include <vtkActor.h>
-#include <vtkFloatArray.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkSmartPointer.h>
 
 #include "point_colors.hpp"
 #include "scene_data.hpp"
+#include "splats.hpp"
 #include "viewpoint.hpp"
 
 /// \file The cloud's points as one actor: uploaded once, recoloured at will.
 namespace planescope::draw {
 
-/// How large points are drawn.
-struct PointScale {
-  double pixels_per_metre_at_1m =
-      0;             ///< (parallel: anywhere) of the picture that is drawn, before it is shrunk
-  double fixed = 0;  ///< [pixel of the picture that is drawn] 0: by spacing
-  double least = 1, most = 64;  ///< [pixel of the picture that is drawn]
-};
-
-/// Points, each a square splat of 1.7 times the local spacing of the points, sqrt(area / points) of
-/// its patch, seen in perspective: surfaces close near and far, whatever the sensor's density
-/// there.
+/// Points, each a square or disc on the screen.
 class PointLayer {
  public:
-  /// `points`: indices of those that are drawn; they must be finite.
-  PointLayer(const SceneData& scene, const PointPainter& painter,
-             std::vector<std::uint32_t> points);
+  /// `points`: indices of those that are drawn; they must be finite. `diameters`: of each [m].
+  PointLayer(const SceneData& scene, const PointPainter& painter, std::vector<std::uint32_t> points,
+             const std::vector<float>& diameters);
 
   vtkActor* actor() { return actor_; }
   /// Colours the points this way from now on.
@@ -44,7 +34,6 @@ class PointLayer {
 
  private:
   void add_points();
-  vtkSmartPointer<vtkFloatArray> splats() const;
 
   const SceneData& scene_;
   const PointPainter& painter_;
@@ -61,5 +50,8 @@ std::vector<std::uint32_t> visible_points(const SceneData& scene, const Cutaway&
 /// size), clamped as set by set_point_scale().
 void use_splats(vtkActor& actor, vtkPolyDataMapper& mapper, const char* splat);
 void set_point_scale(vtkActor& actor, const PointScale& scale);
+
+/// Discs of the same diameter instead of squares, or squares again.
+void use_shape(vtkActor& actor, SplatShape shape);
 
 }  // namespace planescope::draw

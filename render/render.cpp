@@ -8,6 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
 #include <vtkVersion.h>
 
 #include "animation.hpp"
@@ -21,6 +24,7 @@
 #include "provenance.hpp"
 #include "scene_data.hpp"
 #include "validate.hpp"
+#include "vtk_arrays.hpp"
 #include "window.hpp"
 
 namespace planescope {
@@ -55,6 +59,14 @@ Camera render(const std::filesystem::path& folder, const RenderOptions& options,
               const std::filesystem::path& png) {
   draw::validate(options);
   return render_one(draw::scene_data(folder), options, png);
+}
+
+ColorDifferences color_differences(const std::filesystem::path& folder,
+                                   const RenderOptions& options) {
+  const draw::SceneData scene = draw::scene_data(folder);
+  const draw::Neighbours pairs = draw::segment_neighbours(scene);
+  const auto least = draw::least_differences(draw::scene_colors(scene, options).segments, pairs);
+  return {least[0], least[1], least[2], least[3], least[4], pairs.size()};
 }
 
 void render_orbit(const std::filesystem::path& folder, const RenderOptions& options, int frames,
@@ -121,6 +133,21 @@ void save_geometry(const Segmentation& scene, const PointCloud& cloud,
   draw::write_vtp(patches, cloud.origin, folder / "patches.vtp");
   draw::write_vtp(graph, cloud.origin, folder / "graph.vtp");
   draw::write_vtp(planes, cloud.origin, folder / "planes.vtp");
+  if (std::filesystem::exists(folder / "result.json"))
+    add_files(folder, {"patches.vtp", "graph.vtp", "planes.vtp"});
+}
+
+std::vector<EdgeState> stored_edges(const Result& result, const std::filesystem::path& folder) {
+  const auto graph = draw::read_graph(result, folder);
+  vtkDataArray& on = *graph->GetCellData()->GetArray("on");
+  vtkDataArray& rule = *graph->GetCellData()->GetArray("rule");
+  std::vector<EdgeState> edges;
+  for (vtkIdType i = 0; i < graph->GetNumberOfLines(); ++i) {
+    const auto ends = draw::corners(*graph->GetLines(), i);
+    edges.push_back({static_cast<std::uint32_t>(ends[0]), static_cast<std::uint32_t>(ends[1]),
+                     on.GetTuple1(i) != 0, static_cast<EdgeRule>(rule.GetTuple1(i))});
+  }
+  return edges;
 }
 
 std::string gl_renderer() { return draw::Window().renderer(); }

@@ -44,6 +44,16 @@ SceneData scene_data(const std::filesystem::path& folder) {
   return add_geometry(load_result(folder), folder);
 }
 
+vtkSmartPointer<vtkPolyData> read_graph(const Result& result, const std::filesystem::path& folder) {
+  const auto file = folder / "graph.vtp";
+  auto graph = read_vtp(file, result.cloud.origin,
+                        {Columns::OfCells,
+                         {{"on", 1}, {"rule", 1}, {"margin", 1}},
+                         static_cast<vtkIdType>(result.patch_count)});
+  check_range(file, *graph->GetCellData(), "rule", 0, kEdgeRuleCount - 1);
+  return graph;
+}
+
 SceneData add_geometry(Result result, const std::filesystem::path& folder) {
   const auto patch_count = static_cast<vtkIdType>(result.patch_count);
   const double last_plane = static_cast<double>(result.planes.size()) - 1;
@@ -51,8 +61,9 @@ SceneData add_geometry(Result result, const std::filesystem::path& folder) {
   const Eigen::Vector3d& origin = result.cloud.origin;
 
   const auto patches = folder / "patches.vtp";
-  const auto graph = folder / "graph.vtp";
   const auto planes = folder / "planes.vtp";
+  for (const char* name : {"patches.vtp", "graph.vtp", "planes.vtp"})
+    check_file(result, folder, name);
   SceneData data;
   data.patches = read_vtp(patches, origin,
                           {Columns::OfPoints,
@@ -63,8 +74,7 @@ SceneData add_geometry(Result result, const std::filesystem::path& folder) {
                             {"plane", 1},
                             {"label", 1}},
                            patch_count});
-  data.graph = read_vtp(graph, origin,
-                        {Columns::OfCells, {{"on", 1}, {"rule", 1}, {"margin", 1}}, patch_count});
+  data.graph = read_graph(result, folder);
   // A hull has no more corners than its points.
   data.planes = read_vtp(planes, origin,
                          {Columns::OfCells,
@@ -73,7 +83,6 @@ SceneData add_geometry(Result result, const std::filesystem::path& folder) {
                           static_cast<vtkIdType>(result.cloud.size())});
   check_range(patches, *data.patches->GetPointData(), "plane", kNone, last_plane);
   check_range(patches, *data.patches->GetPointData(), "label", 0, last_label);
-  check_range(graph, *data.graph->GetCellData(), "rule", 0, kEdgeRuleCount - 1);
   check_range(planes, *data.planes->GetCellData(), "plane", 0, last_plane);
   check_range(planes, *data.planes->GetCellData(), "label", 1, last_label);
   data.result = std::move(result);

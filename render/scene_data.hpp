@@ -32,4 +32,7 @@ SceneData scene_data(const std::filesystem::path& folder);
 /// \throws Error{Kind::Input} as above.
 SceneData add_geometry(Result result, const std::filesystem::path& folder);
 
+/// graph.vtp of a folder alone. \throws Error{Kind::Input} as above.
+vtkSmartPointer<vtkPolyData> read_graph(const Result& result, const std::filesystem::path& folder);
+
 }  // namespace planescope::draw

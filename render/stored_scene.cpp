@@ -65,6 +65,7 @@ Value value(vtkDataArray& array, vtkIdType i) {
 void read_patches(const SceneData& data, Segmentation& scene) {
   const vtkIdType count = data.patches->GetNumberOfPoints();
   const Columns column("patches.vtp", *data.patches->GetPointData(), count);
+  vtkDataArray& own = column("own_normal", 3);
   vtkDataArray &normal = column("normal", 3), &color = column("color", 3);
   vtkDataArray &curvature = column("curvature"), &area = column("area"), &scale = column("scale");
   vtkDataArray &points = column("point_count"), &voxels = column("voxel_count");
@@ -73,6 +74,7 @@ void read_patches(const SceneData& data, Segmentation& scene) {
     Patch patch;
     patch.centroid = draw::point(*data.patches, i);
     patch.normal = vector(normal, i);
+    patch.own_normal = vector(own, i);
     patch.color = vector(color, i);
     patch.curvature = value<float>(curvature, i);
     patch.area = value<float>(area, i);
@@ -81,7 +83,11 @@ void read_patches(const SceneData& data, Segmentation& scene) {
     patch.voxel_count = value<std::uint32_t>(voxels, i);
     if (!(patch.scale > 0)) refuse("patches.vtp", "`scale` has values that are not positive");
     scene.graph.patches.push_back(patch);
-    scene.patch_plane.push_back({value<std::int32_t>(plane, i), value<float>(margin, i)});
+    const auto on = value<std::int32_t>(plane, i);
+    const bool face =
+        on != kNone && data.result.planes[static_cast<std::size_t>(on)].role == PlaneRole::Face;
+    scene.patch_plane.push_back({face ? kNone : on, value<float>(margin, i)});
+    scene.patch_face.push_back(face ? on : kNone);
     scene.segments.patch_label.push_back(value<std::uint32_t>(label, i));
   }
 }
@@ -118,6 +124,9 @@ void read_edges(const SceneData& data, Segmentation& scene) {
     edge.singular_limit = value<float>(singular_limit, i);
     edge.step = value<float>(step, i);
     edge.step_limit = value<float>(step_limit, i);
+    const auto& patches = scene.graph.patches;
+    const float length = (patches[edge.first].centroid - patches[edge.second].centroid).norm();
+    edge.facing = -0.5f * edge.convexity * length;
     edge.support = value<std::uint32_t>(support, i);
     edge.margin = value<float>(margin, i);
     scene.edges.push_back(edge);

@@ -60,6 +60,16 @@ std::vector<Measure> measures_of(const Segmentation& scene, const EdgeExplanatio
   const auto is = [&](EdgeRule rule) { return e.rule == rule; };
   std::vector<Measure> all;
   add_planes(all, scene, x);
+  if (!by_planes(e.rule) && static_cast<double>(e.normal_angle) > options.rim_angle) {
+    // The two sides of a board, or two things that face each other: nothing else is asked.
+    all.push_back(measure("facing distance", "m", e.facing, e.step_limit, false,
+                          "edges.smoothness_tolerance"));
+    all.back().holds = e.facing <= e.step_limit;
+    all.back().decided = !is(EdgeRule::NoSupport);
+    all.push_back(measure("angle of the normals (rim)", "deg", e.normal_angle, options.rim_angle,
+                          true, "edges.rim_angle"));
+    return all;
+  }
   all.push_back(measure("angle to the fold", "deg", e.singular_angle, e.singular_limit, true,
                         "edges.singular_angle"));
   all.back().decided = is(EdgeRule::Singular);
@@ -121,6 +131,16 @@ class EdgeSettings {
   Setting concavity(bool on) const {
     return set("edges.concavity_tolerance", static_cast<double>(edge_.normal_angle), on);
   }
+  Setting facing(bool on) const {
+    const double size = static_cast<double>(scene_.graph.patch_size);
+    const double bound = (static_cast<double>(edge_.facing) / scale_ - sine_ * size) /
+                         static_cast<double>(scene_.graph.voxel_size);
+    return set("edges.smoothness_tolerance", bound, on);
+  }
+  /// Whether the edge is decided as one of a rim.
+  Setting rim(bool by_sides) const {
+    return set("edges.rim_angle", static_cast<double>(edge_.normal_angle), !by_sides);
+  }
   Setting support(bool on) const {
     return {"edges.extended_convexity", get_option(scene_.options, "edges.extended_convexity"),
             on ? "false" : "true"};
@@ -180,8 +200,12 @@ struct EdgeExplainer::Parts {
     const bool wanted = !edge.on;
     edge.rule = rule;
     const EdgeSettings to(scene, edge);
-    for (std::vector<Setting> settings :
-         wanted ? to_switch_on(to, edge, scene.options.edges) : to_switch_off(to, edge)) {
+    const bool sides = static_cast<double>(edge.normal_angle) > scene.options.edges.rim_angle;
+    std::vector<std::vector<Setting>> tried =
+        wanted ? to_switch_on(to, edge, scene.options.edges) : to_switch_off(to, edge);
+    tried.push_back({to.rim(!sides)});
+    if (sides) tried.push_back({to.facing(wanted)});
+    for (std::vector<Setting> settings : tried) {
       settings.insert(settings.begin(), before.begin(), before.end());
       const Trial* trial = what_if(settings);
       if (trial == nullptr || joins(trial->rules[index]) != wanted) continue;

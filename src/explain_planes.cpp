@@ -50,7 +50,8 @@ struct PlaneExplainer::Parts {
         pairs(pair_terms(hypotheses, index, s.graph, s.options.planes)),
         plane_of(hypotheses.size(), kNone) {
     for (std::size_t p = 0; p < s.planes.size(); ++p)
-      plane_of[s.planes[p].hypothesis] = static_cast<std::int32_t>(p);
+      if (s.planes[p].role == PlaneRole::Support)
+        plane_of[s.planes[p].hypothesis] = static_cast<std::int32_t>(p);
   }
 
   /// The patches at these positions of the index.
@@ -118,6 +119,7 @@ PlaneExplainer::PlaneExplainer(const Segmentation& scene) {
     throw Error(Error::Kind::Usage, "explain: the result is of method `" + scene.method.name +
                                         "`, which says nothing of its planes; segment with ours");
   for (const SupportingPlane& plane : scene.planes) {
+    if (plane.role != PlaneRole::Support) continue;
     if (plane.hypothesis >= scene.selection.hypotheses.size() ||
         !scene.selection.hypotheses[plane.hypothesis].selected)
       throw Error(Error::Kind::Input, "explain: a plane grew from hypothesis " +
@@ -134,6 +136,10 @@ PlaneExplanation PlaneExplainer::plane(std::uint32_t index, const std::vector<st
   if (index >= scene.planes.size())
     throw Error(Error::Kind::Usage, "explain: there is no plane " + std::to_string(index) +
                                         "; the scene has " + std::to_string(scene.planes.size()));
+  if (scene.planes[index].role != PlaneRole::Support)
+    throw Error(Error::Kind::Usage, "explain: plane " + std::to_string(index) +
+                                        " is a face of an object (planes.face_area): it was not "
+                                        "selected, and cuts nothing; ask for a supporting plane");
   if (!truth.empty() && truth.size() != scene.point_plane.size())
     throw Error(Error::Kind::Input, "truth: has " + std::to_string(truth.size()) +
                                         " points, the scene has " +

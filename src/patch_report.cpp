@@ -28,6 +28,7 @@ PatchReport report_patch(const Segmentation& scene, std::uint32_t id) {
   r.distance_limit = 2 * options.sigma * static_cast<double>(r.patch.scale);
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t p = 0; p < scene.planes.size() && r.plane == kNone; ++p) {
+    if (scene.planes[p].role != PlaneRole::Support) continue;
     const Plane& plane = scene.planes[p].plane;
     const double cost = distance_cost(r.patch, plane, options.sigma);
     const double cosine = std::abs(static_cast<double>(plane.normal.dot(r.patch.normal)));

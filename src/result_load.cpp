@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the planescope authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "io/pcd_reader.hpp"
+#include "json_file.hpp"
 #include "planescope/error.hpp"
 #include "planescope/result.hpp"
 #include "result_node.hpp"
@@ -18,27 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-std::string read_whole(const fs::path& file) {
-  std::error_code failure;
-  const auto size = fs::file_size(file, failure);
-  std::ifstream in(file, std::ios::binary);
-  std::string bytes(failure ? 0 : size, '\0');
-  if (failure || !in.read(bytes.data(), static_cast<std::streamsize>(size))) {
-    throw Error(Error::Kind::Input,
-                file.string() + ": cannot be read; a result folder of `planescope segment` has it");
-  }
-  return bytes;
-}
-
-Json parse(const fs::path& file) {
-  const std::string text = read_whole(file);
-  try {
-    return Json::parse(text);
-  } catch (const Json::parse_error& error) {
-    throw Error(Error::Kind::Input, file.string() + ", byte " + std::to_string(error.byte) +
-                                        ": not JSON; run `planescope segment` again");
-  }
-}
+constexpr const char* kHint = "run `planescope segment` again";
 
 MethodInfo read_method(const Node& node) {
   MethodInfo method{node["name"].text(), true, true, {}};
@@ -61,7 +41,7 @@ void read_input(const Node& input, Result& result) {
   cloud.width = input["width"].count();
   cloud.height = input["height"].count();
   cloud.origin = input["origin"].vector();
-  if (!input["sensor"].null()) cloud.sensor = input["sensor"].vector().cast<float>();
+  if (!input["sensor"].null()) cloud.sensor = input["sensor"].position();
   if (std::uint64_t{cloud.width} * cloud.height != input["points"].count()) {
     input["points"].fail("width x height");
   }
@@ -71,7 +51,10 @@ SupportingPlane read_plane(const Node& node, std::size_t index) {
   if (node["id"].count() != index) node["id"].fail(std::to_string(index));
   SupportingPlane plane;
   plane.plane = {node["normal"].unit(), node["distance"].real()};
-  plane.hypothesis = node["hypothesis"].count();
+  const std::string role = node["role"].text();
+  if (role != "support" && role != "face") node["role"].fail("support or face");
+  plane.role = role == "face" ? PlaneRole::Face : PlaneRole::Support;
+  if (plane.role == PlaneRole::Support) plane.hypothesis = node["hypothesis"].count();
   plane.patch_count = node["patches"].count();
   plane.point_count = node["points"].count();
   plane.area = node["area"].real();
@@ -91,7 +74,7 @@ Segment read_segment(const Node& node, std::size_t index, std::size_t planes) {
   segment.patch_count = node["patches"].count();
   segment.point_count = node["points"].count();
   segment.area = node["area"].real();
-  segment.centroid = node["centroid"].vector().cast<float>();
+  segment.centroid = node["centroid"].position();
   return segment;
 }
 
@@ -114,6 +97,9 @@ void read_json(const Node& root, Result& result) {
   if (!root["hypotheses"].null()) result.selection = read_selection(root["hypotheses"]);
   for (const Node& node : root["segments"].items()) {
     result.segments.push_back(read_segment(node, result.segments.size(), result.planes.size()));
+  }
+  if (root.has("files")) {
+    for (const auto& [name, hash] : root["files"].members()) result.file_hashes[name] = hash.text();
   }
   for (std::size_t rule = 0; rule < kEdgeRuleCount; ++rule) {
     const std::string key(name(static_cast<EdgeRule>(rule)));
@@ -155,25 +141,35 @@ void check_points(const Result& result, const fs::path& file) {
   }
 }
 
+void check_hash(const fs::path& file, const std::string& expected) {
+  if (hash_file(file) == expected) return;
+  throw Error(Error::Kind::Input, file.string() +
+                                      ": not the file that result.json beside it was written "
+                                      "with; " +
+                                      kHint);
+}
+
 }  // namespace
 
+void check_file(const Result& result, const fs::path& folder, const std::string& name) {
+  const auto known = result.file_hashes.find(name);
+  if (known != result.file_hashes.end()) check_hash(folder / name, known->second);
+}
+
 Result load_result(const fs::path& folder) {
-  if (!fs::is_directory(folder)) {
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored)) {
     throw Error(Error::Kind::Input, folder.string() +
                                         ": not a folder; name one that `planescope segment -o` "
                                         "made");
   }
   const fs::path json_file = folder / "result.json", points_file = folder / "points.pcd";
-  const Json json = parse(json_file);
+  const Json json = read_json(json_file, kHint);
   const Node root(json, json_file, "");
   Result result;
   result.options_hash = hash_text(root["options"].dump());
   read_json(root, result);
-  if (hash_file(points_file) != root["points_hash"].text()) {
-    throw Error(Error::Kind::Input, points_file.string() +
-                                        ": not the file that result.json beside it was written "
-                                        "with; run `planescope segment` again");
-  }
+  check_hash(points_file, root["points_hash"].text());
   read_points(points_file, result);
   check_points(result, points_file);
   return result;

@@ -36,6 +36,8 @@ class Node {
     return {json_.at(key), file_, name_.empty() ? key : name_ + "." + key};
   }
 
+  bool has(const char* key) const { return json_.is_object() && json_.contains(key); }
+
   std::vector<Node> items() const {
     if (!json_.is_array()) fail("a list");
     std::vector<Node> all;
@@ -65,7 +67,11 @@ class Node {
     if (!json_.is_number() || !std::isfinite(json_.get<double>())) fail("a number");
     return json_.get<double>();
   }
-  float real() const { return static_cast<float>(number()); }
+  float real() const {
+    const double value = number();
+    if (std::abs(value) > double(std::numeric_limits<float>::max())) fail("within a float's range");
+    return static_cast<float>(value);
+  }
 
   Eigen::Vector3d vector() const {
     const auto parts = items();
@@ -73,8 +79,14 @@ class Node {
     return {parts[0].number(), parts[1].number(), parts[2].number()};
   }
 
+  Eigen::Vector3f position() const {
+    const auto parts = items();
+    if (parts.size() != 3) fail("three numbers");
+    return {parts[0].real(), parts[1].real(), parts[2].real()};
+  }
+
   Eigen::Vector3f unit() const {
-    const Eigen::Vector3f v = vector().cast<float>();
+    const Eigen::Vector3f v = position();
     if (!(std::abs(v.norm() - 1) < 1e-3f)) fail("a unit vector");
     return v;
   }

@@ -7,7 +7,10 @@
 #include <cmath>
 #include <cstdio>
 
+#include "border_points.hpp"
+#include "patches/smoothing.hpp"
 #include "planescope/error.hpp"
+#include "segment_graph.hpp"
 #include "what_if.hpp"
 
 namespace planescope {
@@ -56,13 +59,22 @@ std::vector<std::string> range_values(const std::string& values, const std::stri
   return all;
 }
 
-std::vector<std::uint32_t> label_points(const PatchGraph& graph, const SegmentSet& segments) {
-  std::vector<std::uint32_t> labels;
-  labels.reserve(graph.point_patch.size());
-  for (const std::int32_t patch : graph.point_patch)
-    labels.push_back(patch == kNone ? kNoSegment
-                                    : segments.patch_label[static_cast<std::size_t>(patch)]);
-  return labels;
+/// The labels of the points, borders cut point by point as segment() does.
+std::vector<std::uint32_t> point_labels(const Segmentation& scene, const PointCloud& cloud,
+                                        Outcome&& outcome, const Options& options) {
+  Segmentation then;
+  then.options = options;
+  then.graph = scene.graph;
+  if (!outcome.graph.patches.empty()) then.graph.patches = std::move(outcome.graph.patches);
+  then.planes = std::move(outcome.planes);
+  then.patch_plane = std::move(outcome.patch_plane);
+  then.patch_face = std::move(outcome.patch_face);
+  then.edges = std::move(outcome.edges);
+  then.segments = std::move(outcome.segments);
+  const double smoothing = options.patches.smoothing;
+  recut_borders(then, smoothing > 0 ? smooth_points(cloud, smoothing) : cloud);
+  label_points(then);
+  return then.point_label;
 }
 
 void count_edges(SweepRow& row, const std::vector<Edge>& edges) {
@@ -77,9 +89,9 @@ void score(SweepRow& row, const std::vector<std::uint32_t>& labels, const Segmen
 }
 
 /// The stages behind the patches.
-SweepRow run_behind(const Segmentation& scene, const Options& options,
+SweepRow run_behind(const Segmentation& scene, const PointCloud& cloud, const Options& options,
                     const std::vector<std::uint32_t>& truth) {
-  const Outcome outcome = rerun(scene, options);
+  Outcome outcome = rerun(scene, options);
   SweepRow row;
   row.patches = scene.graph.patches.size();
   row.planes = outcome.planes.size();
@@ -91,7 +103,7 @@ SweepRow run_behind(const Segmentation& scene, const Options& options,
     *row.switched_on += now && !before ? 1 : 0;
     *row.switched_off += !now && before ? 1 : 0;
   }
-  score(row, label_points(scene.graph, outcome.segments), scene, truth);
+  score(row, point_labels(scene, cloud, std::move(outcome), options), scene, truth);
   return row;
 }
 
@@ -150,7 +162,7 @@ std::vector<SweepRow> sweep(const Segmentation& scene, const PointCloud& cloud,
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (progress) progress("sweep", static_cast<double>(i) / static_cast<double>(all.size()));
     rows.push_back(whole ? run_whole(scene, cloud, all[i], truth)
-                         : run_behind(scene, all[i], truth));
+                         : run_behind(scene, cloud, all[i], truth));
     rows.back().value = range.values[i];
   }
   return rows;

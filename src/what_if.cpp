@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <utility>
 
-#include "planes/support.hpp"
 #include "planescope/error.hpp"
+#include "segment_graph.hpp"
 
 namespace planescope {
 namespace {
@@ -65,24 +65,21 @@ bool joins(EdgeRule rule) {
 }
 
 Outcome rerun(const Segmentation& scene, const Options& options) {
-  const PatchGraph& graph = scene.graph;
-  Outcome outcome;
-  if (same_plane_options(scene.options, options)) {
-    outcome.planes = scene.planes;
-    outcome.patch_plane = scene.patch_plane;
-  } else {
-    const PlaneSelection selection = select_planes(graph, options.planes);
-    std::vector<Plane> selected;
-    for (const std::uint32_t s : selection.selected)
-      selected.push_back(selection.hypotheses[s].plane);
-    const auto assignment = assign_planes(graph, selected, options.planes);
-    Support support = refit_planes(graph, selection, assignment, options.planes);
-    outcome.planes = std::move(support.planes);
-    outcome.patch_plane = std::move(support.patch_plane);
+  if (!same_plane_options(scene.options, options)) {
+    Segmentation then;  // without the points, which patches are already made of
+    then.graph.patches = scene.graph.patches;
+    then.graph.adjacency = scene.graph.adjacency;
+    then.graph.voxel_size = scene.graph.voxel_size;
+    then.graph.patch_size = scene.graph.patch_size;
+    for (Patch& patch : then.graph.patches) patch.normal = patch.own_normal;
+    segment_graph(then, options);
+    return {std::move(then.graph),      std::move(then.planes), std::move(then.patch_plane),
+            std::move(then.patch_face), std::move(then.edges),  std::move(then.segments)};
   }
-  outcome.edges = classify_edges(graph, outcome.patch_plane, options.edges);
-  outcome.segments = connect_segments(graph, outcome.edges, outcome.patch_plane, options.segments);
-  return outcome;
+  Outcome same{{}, scene.planes, scene.patch_plane, scene.patch_face, {}, {}};
+  same.edges = classify_edges(scene.graph, same.patch_plane, options.edges);
+  same.segments = connect_segments(scene.graph, same.edges, same.patch_plane, options.segments);
+  return same;
 }
 
 Options with(Options options, const std::vector<Setting>& settings) {

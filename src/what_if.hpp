@@ -18,8 +18,10 @@ namespace planescope {
 
 /// The stages' results with other options.
 struct Outcome {
+  PatchGraph graph;  ///< with the normals of the faces then; empty where the planes are the scene's
   std::vector<SupportingPlane> planes;
   std::vector<PatchPlane> patch_plane;
+  std::vector<std::int32_t> patch_face;
   std::vector<Edge> edges;
   SegmentSet segments;
 };

@@ -12,6 +12,8 @@ namespace {
 
 constexpr double kRadians = std::numbers::pi / 180;
 
+using V3 = Eigen::Vector3f;
+
 Eigen::Vector3f tilted(double degrees) {  // from +z towards +x
   return {float(std::sin(degrees * kRadians)), 0, float(std::cos(degrees * kRadians))};
 }
@@ -30,7 +32,7 @@ struct Pair {
     graph.patches[1].centroid = centroid;
     graph.adjacency = {{0, 1, 5}};
     graph.voxel_size = 0.01f;
-    graph.patch_size = 2.0f;  // steps do not decide unless a test says so
+    graph.patch_size = 2.0f;      // steps do not decide unless a test says so
     options.singular_angle = 60;  // these two are LCCP's own
     options.smoothness_tolerance = 0.1;
   }
@@ -162,6 +164,31 @@ TEST(Edges, RulesAreCountedAndNamed) {
   EXPECT_EQ(counts[static_cast<std::size_t>(EdgeRule::Concave)], 0u);
   EXPECT_EQ(name(EdgeRule::SamePlane), "same_plane");
   EXPECT_EQ(name(EdgeRule::NoSupport), "no_support");
+}
+
+TEST(Edges, TheTwoSidesOfABoardAreOneThing) {
+  // Top and underside, 2 cm apart: back to back. LCCP's tests would cut: a step of 2 cm, and a fold
+  // whose direction is that of noise.
+  Pair board(tilted(180), tilted(2), V3(0.02f, 0.001f, 0.02f));
+  board.graph.patch_size = 0.05f;
+  const Edge edge = board.classify();
+  EXPECT_TRUE(edge.on);
+  EXPECT_EQ(edge.rule, EdgeRule::Convex);
+  EXPECT_LT(edge.facing, 0);
+  board.options.rim_angle = 180;
+  EXPECT_FALSE(board.classify().on);
+}
+
+TEST(Edges, AcrossAGapTheyAreTwo) {
+  // The same two patches the other way up look at each other, a hand's breadth apart.
+  Pair gap(tilted(0), tilted(180), V3(0.0f, 0, 0.08f));
+  gap.graph.patch_size = 0.05f;
+  const Edge edge = gap.classify();
+  EXPECT_NEAR(edge.facing, 0.08, 1e-6);
+  EXPECT_FALSE(edge.on);
+  EXPECT_EQ(edge.rule, EdgeRule::Concave);
+  gap.graph.patches[1].centroid = V3(0, 0, 0.9f * edge.step_limit);  // within a step: one thing
+  EXPECT_TRUE(gap.classify().on);
 }
 
 }  // namespace

@@ -45,6 +45,7 @@ TEST(ExplainPlanes, TheTermsAddUpToTheFlipCost) {
   PlaneExplainer explain(scene);
   std::size_t beaten = 0;
   for (std::uint32_t p = 0; p < scene.planes.size(); ++p) {
+    if (scene.planes[p].role != PlaneRole::Support) continue;
     const PlaneExplanation x = explain.plane(p, {}, Flips::Skip);
     EXPECT_EQ(x.chosen.index, scene.planes[p].hypothesis);
     EXPECT_TRUE(x.chosen.hypothesis.selected);
@@ -79,7 +80,8 @@ TEST(ExplainPlanes, AnglesAreThoseOfTheNormals) {
 
 TEST(ExplainPlanes, WhatWouldRemoveAPlaneRemovesIt) {
   PlaneExplainer explain(room().scene);
-  const auto last = static_cast<std::uint32_t>(room().scene.planes.size() - 1);
+  const auto last = static_cast<std::uint32_t>(
+      count_planes(room().scene.planes, PlaneRole::Support) - 1);
   const PlaneExplanation x = explain.plane(last);
   ASSERT_FALSE(x.flips.empty());
   for (std::size_t f = 0; f < std::min<std::size_t>(3, x.flips.size()); ++f) {

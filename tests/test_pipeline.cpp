@@ -40,7 +40,31 @@ TEST(Pipeline, FindsTheSynthesizedRoom) {
   EXPECT_EQ(planes.structural_planes, 5u);  // the floor and four walls
   EXPECT_EQ(planes.structural_recall, 1.0);
   EXPECT_EQ(planes.invented, 0u);
-  EXPECT_GE(score_labels(scene.point_label, room.cloud.labels).weighted_overlap, 0.9);
+  const LabelScores scores = score_labels(scene.point_label, room.cloud.labels);
+  EXPECT_GE(scores.weighted_overlap, 0.94);
+  EXPECT_GE(scores.overlap, 0.8);
+}
+
+// Table tops, beds and cupboards are planes too, as faces.
+TEST(Pipeline, FindsTheFacesOfFurniture) {
+  const SynthesizedScene room = make_room(1, 500'000);
+  const PlaneScores planes =
+      score_planes(planes_of(segment(room.cloud, Options::automatic(room.cloud))), room.planes);
+  EXPECT_GE(planes.recall, 0.95);
+  EXPECT_GE(planes.precision, 0.95);
+  EXPECT_LE(planes.manhattan_deviation, 0.3);
+}
+
+// Depth images put together without fusion: noise of centimetres, several times the spacing.
+TEST(Pipeline, FindsTheWallsOfScatteredMaps) {
+  SynthesisOptions options;
+  options.views = 6;
+  const SynthesizedScene room = synthesize(options);
+  const Options derived = Options::automatic(room.cloud);
+  EXPECT_GT(derived.patches.smoothing, 0);
+  const Segmentation scene = segment(room.cloud, derived);
+  EXPECT_EQ(score_planes(planes_of(scene), room.planes).structural_recall, 1.0);
+  EXPECT_GE(score_labels(scene.point_label, room.cloud.labels).weighted_overlap, 0.75);
 }
 
 TEST(Pipeline, SameAtAnyNumberOfThreads) {
@@ -83,8 +107,12 @@ TEST(Pipeline, EveryStageAgreesWithTheOthers) {
   std::vector<std::uint32_t> points(scene.segments.segments.size() + 1, 0);
   for (const std::uint32_t label : scene.point_label) ++points.at(label);
   for (const Segment& s : scene.segments.segments) EXPECT_EQ(points[s.label], s.point_count);
-  for (std::size_t p = 1; p < scene.planes.size(); ++p) {
-    EXPECT_GE(scene.planes[p - 1].area, scene.planes[p].area);
+  for (std::size_t p = 1; p < scene.planes.size(); ++p) {  // supporting planes, then faces
+    if (scene.planes[p - 1].role == scene.planes[p].role) {
+      EXPECT_GE(scene.planes[p - 1].area, scene.planes[p].area);
+    } else {
+      EXPECT_EQ(scene.planes[p].role, PlaneRole::Face);
+    }
   }
 }
 
@@ -129,7 +157,7 @@ TEST(Pipeline, AFewPointsAreLegal) {
   }
 }
 
-// The promise of the table-top preset: mean WO at least 0.96 and UO at least 0.85 over the 20
+// The promise of the table-top preset: mean WO at least 0.98 and UO at least 0.92 over the 20
 // views, parts of one object merged (labels 1 to 9 are the table, 20 to 29 object 1, ...).
 TEST(Pipeline, TableTopViews) {
   double weighted = 0, plain = 0;
@@ -146,8 +174,8 @@ TEST(Pipeline, TableTopViews) {
   }
   if (views == 0) GTEST_SKIP() << missing("mosd_learn");
   ASSERT_EQ(views, 20);
-  EXPECT_GE(weighted / views, 0.96);
-  EXPECT_GE(plain / views, 0.85);
+  EXPECT_GE(weighted / views, 0.98);
+  EXPECT_GE(plain / views, 0.92);
 }
 
 Eigen::Vector3f up_of(const PointCloud& cloud) {

@@ -67,9 +67,22 @@ TEST(ColorObjects, NeighboursOfAnyPanelDiffer) {
   const auto touching =
       draw::touching_objects({a, b}, matched, patches, 4, {{0, 1}, {1, 2}, {2, 3}});
   EXPECT_EQ(touching, (draw::Neighbours{{0, 1}}));
-  const auto colors = draw::color_objects(matched, 4, touching);
+  const auto colors = draw::color_objects(matched, {true, true}, touching);
   ASSERT_EQ(colors.size(), 2U);
   EXPECT_GT(draw::contrast(colors[0], colors[1]), 0.02);
+}
+
+TEST(ColorObjects, WhatLiesOnPlanesIsCalmInAllPanels) {
+  // Object 0: points 0 to 3, three of them on a plane; object 1: points 4 and 5, one.
+  const Labels a = {1, 1, 1, 1, 2, 2}, b = {2, 2, 2, 3, 3, 3};
+  const auto matched = draw::match_labels({a, b});
+  const std::vector<std::int32_t> planes = {0, 0, 0, kNone, 0, kNone};
+  EXPECT_EQ(draw::objects_on_planes({a, b}, matched, planes), (std::vector<bool>{true, false}));
+  const std::vector<std::int32_t> none(6, kNone);
+  EXPECT_EQ(draw::objects_on_planes({a, b}, matched, none), (std::vector<bool>{true, true}));
+  const auto colors = draw::color_objects(matched, {true, false}, {{0, 1}});
+  EXPECT_LT(draw::to_oklab(colors[0]).tail<2>().norm(), 0.10);
+  EXPECT_GT(draw::to_oklab(colors[1]).tail<2>().norm(), 0.10);
 }
 
 TEST(Caption, ResolutionIsWhatAnyProgramWritesFor300Dpi) {
@@ -85,7 +98,7 @@ TEST(Caption, ResolutionIsWhatAnyProgramWritesFor300Dpi) {
 TEST(ColorObjects, TheLargestAllDiffer) {
   draw::MatchedLabels matched;
   matched.points = {900, 500, 100, 90, 80, 70, 60, 50, 40, 30};
-  const auto colors = draw::color_objects(matched, 2000, {});
+  const auto colors = draw::color_objects(matched, std::vector<bool>(10, false), {});
   for (std::size_t i = 0; i < colors.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) EXPECT_NE(colors[i], colors[j]) << i << " and " << j;
 }

@@ -2,11 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <optional>
+#include <random>
 #include <set>
 #include <utility>
 #include <vector>
 
+#include "color_assignment.hpp"
 #include "fixtures.hpp"
 #include "image.hpp"
 #include "palette.hpp"
@@ -82,6 +87,61 @@ TEST(Palette, neighbours_never_share_a_color_while_there_are_enough) {
     for (std::uint32_t k = 1; k <= 4; ++k) ring.emplace_back(i, (i + k) % 40);
   const std::vector<Pixel> colors = assign_colors(std::vector<std::size_t>(40, 0), {vivid}, ring);
   for (const auto& [a, b] : ring) EXPECT_NE(colors[a], colors[b]);
+}
+
+/// A map of 300 countries: cells of random seeds, which touch as cells of a grid do.
+Neighbours random_map(std::uint64_t seed, std::uint32_t count) {
+  std::mt19937_64 random(seed);
+  std::vector<std::array<int, 2>> seeds;
+  for (std::uint32_t i = 0; i < count; ++i)
+    seeds.push_back({static_cast<int>(random() % 120), static_cast<int>(random() % 120)});
+  const auto owner = [&](int x, int y) {
+    std::uint32_t best = 0;
+    const auto distance = [&](std::uint32_t i) {
+      return std::hypot(seeds[i][0] - x, seeds[i][1] - y);
+    };
+    for (std::uint32_t i = 1; i < count; ++i)
+      if (distance(i) < distance(best)) best = i;
+    return best;
+  };
+  std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  std::vector<std::uint32_t> row(120);
+  for (int y = 0; y < 120; ++y) {
+    for (int x = 0; x < 120; ++x) {
+      const std::uint32_t here = owner(x, y);
+      const auto at = static_cast<std::size_t>(x);
+      if (x > 0 && row[at - 1] != here) pairs.insert(std::minmax(row[at - 1], here));
+      if (y > 0 && row[at] != here) pairs.insert(std::minmax(row[at], here));
+      row[at] = here;
+    }
+  }
+  return {pairs.begin(), pairs.end()};
+}
+
+TEST(Palette, neighbours_differ_for_every_reader_on_maps_of_many_segments) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const Neighbours touching = random_map(seed, 300);
+    EXPECT_GT(touching.size(), 700U);
+    std::vector<std::size_t> groups(300, 1);  // objects, and a wall or floor among ten
+    for (std::size_t i = 0; i < groups.size(); i += 10) groups[i] = 0;
+    const auto least = least_differences(
+        assign_colors(groups, {calm_colors(), vivid_colors()}, touching), touching);
+    // Oklab: 0.02 is just seen. In the order of Vision.
+    EXPECT_GT(least[0], 0.10) << "normal, map " << seed;
+    for (std::size_t v = 1; v < 5; ++v) EXPECT_GT(least[v], 0.05) << v << ", map " << seed;
+  }
+}
+
+TEST(Palette, colors_that_are_given_are_kept_and_others_keep_clear_of_them) {
+  const std::vector<Pixel> vivid = vivid_colors();
+  const std::vector<std::optional<Pixel>> given = {std::nullopt, vivid[3], std::nullopt,
+                                                   Pixel{1, 2, 3}};
+  const Neighbours chain = {{0, 1}, {1, 2}, {2, 3}};
+  const auto colors = assign_colors({0, 0, 0, 0}, {vivid}, chain, given);
+  EXPECT_EQ(colors[1], vivid[3]);
+  EXPECT_NE(colors[3], (Pixel{1, 2, 3})) << "is no candidate";
+  EXPECT_GT(contrast(colors[0], colors[1]), 0.06);
+  EXPECT_GT(contrast(colors[1], colors[2]), 0.06);
 }
 
 TEST(Image, is_shrunk_to_means_of_blocks) {

@@ -12,6 +12,7 @@
 #include <Eigen/Core>
 
 #include "planescope/camera.hpp"
+#include "planescope/compare.hpp"
 #include "planescope/pipeline.hpp"
 #include "planescope/result.hpp"
 
@@ -25,7 +26,7 @@ enum class Layer : std::uint8_t {
   Patches = 2,   ///< points coloured by patch
   Segments = 4,  ///< points coloured by segment
   Planes = 8,    ///< translucent outlined hull of each supporting plane's segments
-  Graph = 16,    ///< patch centroids and edges: ON thin and blue, OFF thick, dashed and red
+  Graph = 16,    ///< patch centroids and edges: ON thin and light, OFF thick, dashed, dark
 };
 constexpr Layer operator|(Layer a, Layer b) {
   return static_cast<Layer>(static_cast<std::uint8_t>(a) | static_cast<std::uint8_t>(b));
@@ -63,7 +64,7 @@ struct CameraOptions {
 struct AnnotationOptions {
   std::string title;       ///< at the top left; empty: none
   bool legend = false;     ///< what the colours say; that of the graph is always there
-  bool labels = false;     ///< numbers of segments at their centroids
+  bool labels = false;     ///< numbers of segments at their centroids, or beside what hides these
   bool scale_bar = false;  ///< a length in metres, at the bottom right
   bool axes = false;       ///< directions of x, y and z, at the bottom left
 };
@@ -73,6 +74,8 @@ struct RenderOptions {
   Layer layers = Layer::Segments;
   ColorBy color_by = ColorBy::Layers;
   Palette palette = Palette::Standard;
+  /// Result folder of the same cloud: segments that are the same thing have its colours.
+  std::optional<std::filesystem::path> colors_of;
   std::vector<std::uint32_t> truth;  ///< true label of each point, for ColorBy::Truth; 0: none
   View view = View::Auto;
   CameraOptions camera;
@@ -87,6 +90,8 @@ struct RenderOptions {
   bool cull_front =
       true;  ///< leave out planes (and their points) that stand between the camera and the room
   std::vector<std::int32_t> cutaway;  ///< leave out these planes instead; empty: see cull_front
+  std::size_t thin_from = 3'000'000;  ///< scenes of as many points are thinned to the nearest
+                                      ///< one in each pixel that is drawn; it saves memory
   double point_size =
       0;  ///< [pixel of the final picture] 0: from the points' spacing, so that surfaces close
 };
@@ -102,6 +107,19 @@ Camera render(const Segmentation& scene, const PointCloud& cloud, const RenderOp
 /// Draws a stored result folder, nothing recomputed.
 Camera render(const std::filesystem::path& folder, const RenderOptions& options,
               const std::filesystem::path& png);
+
+/// How different the colours of touching segments look to readers: the least Oklab distance
+/// (Ottosson 2020) of all pairs that touch, 0 to 1; 1 where none do. 0.02 is about what is just
+/// seen. Colour-blind readers are simulated by Machado, Oliveira and Fernandes (IEEE TVCG 15(6),
+/// 2009) at full severity; grey is what is left in print without colours.
+struct ColorDifferences {
+  double normal = 1, protanopia = 1, deuteranopia = 1, tritanopia = 1, grey = 1;
+  std::size_t pairs = 0;  ///< of segments that touch
+};
+
+/// Of the colours that a picture of this folder with these options has. \throws Error as render().
+ColorDifferences color_differences(const std::filesystem::path& folder,
+                                   const RenderOptions& options = {});
 
 /// Once around the scene in `frames` pictures, 2 to 360, as an animated PNG that plays for ten
 /// seconds and starts again; programs that know no animation show the first picture.
@@ -120,6 +138,11 @@ void render_pictures(const Segmentation& scene, const PointCloud& cloud,
 /// `folder`, each whole or not at all. \throws Error{Kind::Input} cannot be written.
 void save_geometry(const Segmentation& scene, const PointCloud& cloud,
                    const std::filesystem::path& folder);
+
+/// The edges of graph.vtp in a result folder, for compare_results().
+/// \param result what load_result() read from there.
+/// \throws Error{Kind::Input} a file is missing or malformed, or not of that result.
+std::vector<EdgeState> stored_edges(const Result& result, const std::filesystem::path& folder);
 
 /// The OpenGL renderer's name, such as `llvmpipe (LLVM 15.0.6, 256 bits)`, and the versions of VTK,
 /// for --version. \throws Error{Kind::Rendering} no context.

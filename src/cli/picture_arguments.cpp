@@ -132,6 +132,10 @@ void PictureArguments::declare_colors(CLI::App& command) {
       .add_option("--palette", palette_,
                   "standard (calm planes, vivid objects) | vivid | pastel | grey")
       ->type_name("NAME");
+  command
+      .add_option("--colors-of", colors_of_,
+                  "Result folder of the same cloud: the same segments get the same colours")
+      ->type_name("DIR");
   command.add_option("--background", background_, "white | black | R,G,B from 0 to 1 (white)")
       ->type_name("COLOR");
   command.add_flag("--transparent", drawn_.transparent, "No background: PNG with alpha");
@@ -144,6 +148,11 @@ void PictureArguments::declare_colors(CLI::App& command) {
       .add_option("--point-size", drawn_.point_size,
                   "Size of a point in pixels; 0: from their spacing, so that surfaces close")
       ->check(CLI::Range(0.0, 100.0));
+  command
+      .add_option("--thin-from", drawn_.thin_from,
+                  "From this many points on, only the nearest one in each pixel is drawn")
+      ->capture_default_str()
+      ->type_name("POINTS");
   command.add_option("--dpi", drawn_.dpi, "Resolution that the PNG says, for print")
       ->check(CLI::Range(1.0, 10000.0))
       ->type_name("DPI");
@@ -182,6 +191,7 @@ RenderOptions PictureArguments::options() const {
   if (!background_.empty()) options.background = parse_color("--background", background_);
   if (!color_by_.empty()) options.color_by = parse_color_by(color_by_);
   if (!palette_.empty()) options.palette = parse_palette(palette_);
+  if (!colors_of_.empty()) options.colors_of = colors_of_;
   options.eye_dome_lighting = !no_edl_;
   options.cull_front = !no_cull_;
   if (!cutaway_.empty()) parse_cutaway(cutaway_, options);

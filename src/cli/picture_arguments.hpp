@@ -33,7 +33,7 @@ class PictureArguments {
 
   CameraArguments view_;
   std::string layers_, background_, color_by_, palette_, fit_, focal_, cutaway_;
-  std::filesystem::path camera_, truth_;
+  std::filesystem::path camera_, truth_, colors_of_;
   std::optional<double> azimuth_, elevation_;
   RenderOptions drawn_;  // what CLI11 writes into as it is
   bool no_edl_ = false, no_cull_ = false;

@@ -9,6 +9,7 @@
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/graph_arguments.hpp"
+#include "cli/memory.hpp"
 #include "cli/picture_arguments.hpp"
 #include "planescope/error.hpp"
 #include "planescope/render.hpp"
@@ -36,21 +37,32 @@ void draw_graph(const Arguments& a, nlohmann::ordered_json& outcome) {
   for (const LegendCount& line : drawn.points) outcome["points"][line.name] = line.count;
 }
 
+/// How well readers tell the colours of touching segments apart.
+nlohmann::ordered_json colors_json(const Arguments& a) {
+  const ColorDifferences least = color_differences(a.folder, a.picture.options());
+  return {{"touching_pairs", least.pairs},  {"normal", least.normal},
+          {"protanopia", least.protanopia}, {"deuteranopia", least.deuteranopia},
+          {"tritanopia", least.tritanopia}, {"grey", least.grey}};
+}
+
 void run(const Arguments& a) {
   if (a.png.extension() != ".png") {
     throw Error(Error::Kind::Usage,
                 "-o is `" + a.png.string() + "`; it takes a name that ends in .png");
   }
+  const RenderOptions options = a.picture.options();
+  require_memory_for_drawing(options);
   nlohmann::ordered_json outcome = {{"picture", a.png.string()}};
   if (a.graph.given()) {
     draw_graph(a, outcome);
   } else if (a.orbit > 0) {
-    render_orbit(a.folder, a.picture.options(), a.orbit, a.png);
+    render_orbit(a.folder, options, a.orbit, a.png);
     outcome["frames"] = a.orbit;
   } else {
-    const Camera camera = render(a.folder, a.picture.options(), a.png);
+    const Camera camera = render(a.folder, options, a.png);
     if (!a.save_camera.empty()) write_camera(camera, a.save_camera);
     outcome["camera"] = nlohmann::ordered_json::parse(camera_json(camera));
+    if (a.console.json) outcome["segment_colors"] = colors_json(a);
   }
   a.console.say(a.png.string());
   if (a.console.json) {
