@@ -14,6 +14,7 @@ if(PLANESCOPE_RENDER)
           OBJECTS DESTINATION ${CMAKE_INSTALL_LIBDIR}/planescope)
   install(EXPORT planescope-render NAMESPACE planescope:: DESTINATION ${package_dir})
   install(FILES cmake/planescope-offscreen.cmake DESTINATION ${package_dir})
+  install(DIRECTORY render/include/planescope DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})  # the VTK filter
   install(TARGETS planescope RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 
   # The static library leaves VTK to the programs that link it: the package asks for the same modules.

@@ -162,7 +162,7 @@ void Drawing::show(Layer layers, const PointColors& colors, const Layout& layout
     shading_->SetRadii(std::max(scale, static_cast<int>(std::lround(2 * size))),
                        std::max(2 * scale, static_cast<int>(std::lround(6 * size))));
   }
-  shapes_.clear();
+  shapes_ = given_shapes_;
   const auto add = [&](const Actors& actors) {
     shapes_.insert(shapes_.end(), actors.begin(), actors.end());
   };
@@ -232,9 +232,16 @@ Image Drawing::draw(Layer layers, const std::array<int, 2>& size, Annotation ann
 }
 
 Image Drawing::draw_colored(const std::vector<Pixel>& colors, const std::array<int, 2>& size) {
+  return draw_marked(colors, size, {}, {});
+}
+
+Image Drawing::draw_marked(const std::vector<Pixel>& colors, const std::array<int, 2>& size,
+                           Annotation annotation, const Actors& shapes) {
   given_colors_ = &colors;
-  Image image = draw(Layer::Segments, size, {});
+  given_shapes_ = shapes;
+  Image image = draw(Layer::Segments, size, std::move(annotation));
   given_colors_ = nullptr;
+  given_shapes_.clear();
   return image;
 }
 

@@ -43,6 +43,10 @@ class Drawing {
   /// \throws as draw().
   Image draw_colored(const std::vector<Pixel>& colors, const std::array<int, 2>& size);
 
+  /// The same with words, and with `shapes` over the points.
+  Image draw_marked(const std::vector<Pixel>& colors, const std::array<int, 2>& size,
+                    Annotation annotation, const Actors& shapes);
+
   /// The camera of the picture that was drawn last.
   const Camera& camera() const { return eye_; }
   const Shot& shot() const { return shot_; }
@@ -74,6 +78,7 @@ class Drawing {
   Camera eye_;
   double usual_splat_ = 0;                            // [m]
   const std::vector<Pixel>* given_colors_ = nullptr;  // while draw_colored() runs
+  Actors given_shapes_;                               // while draw_marked() runs
 };
 
 }  // namespace planescope::draw

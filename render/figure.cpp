@@ -12,7 +12,13 @@ namespace {
 
 constexpr Pixel kSeparator = {200, 203, 208};
 
-/// 1234567 as `1,234,567`.
+std::size_t finite_points(const SceneData& scene) {
+  const auto& positions = scene.result.cloud.positions;
+  return static_cast<std::size_t>(std::count_if(positions.begin(), positions.end(), is_finite));
+}
+
+}  // namespace
+
 std::string grouped(std::size_t number) {
   const std::string digits = std::to_string(number);
   std::string text;
@@ -22,13 +28,6 @@ std::string grouped(std::size_t number) {
   }
   return text;
 }
-
-std::size_t finite_points(const SceneData& scene) {
-  const auto& positions = scene.result.cloud.positions;
-  return static_cast<std::size_t>(std::count_if(positions.begin(), positions.end(), is_finite));
-}
-
-}  // namespace
 
 Annotation describe(const SceneData& scene, Layer layers, const std::string& title) {
   Annotation annotation{title, {}, {}};

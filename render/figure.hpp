@@ -23,6 +23,9 @@ struct Panel {
 /// The four panels of overview.png: scene, segments, planes, graph, with their counts.
 std::vector<Panel> overview_panels(const SceneData& scene);
 
+/// 1234567 as `1,234,567`.
+std::string grouped(std::size_t number);
+
 /// Title and legend of a picture with these layers; the legend says what lines mean and how many
 /// there are.
 Annotation describe(const SceneData& scene, Layer layers, const std::string& title);

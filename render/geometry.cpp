@@ -112,6 +112,8 @@ vtkSmartPointer<vtkPolyData> patch_geometry(const Segmentation& scene) {
   };
   columns.AddArray(make_vectors<vtkFloatArray>("normal", patches.size(),
                                                [&](std::size_t i) { return patches[i].normal; }));
+  columns.AddArray(make_vectors<vtkFloatArray>(
+      "own_normal", patches.size(), [&](std::size_t i) { return patches[i].own_normal; }));
   columns.AddArray(make_vectors<vtkUnsignedCharArray>(
       "color", patches.size(), [&](std::size_t i) { return patches[i].color; }));
   add("curvature", &Patch::curvature);

@@ -30,19 +30,6 @@ namespace {
   refuse_vtp(file.string(), what);
 }
 
-/// The points moved by `shift`: in double for map coordinates, in single precision near zero.
-template <typename Array>
-void move_points(vtkPolyData& data, const Eigen::Vector3d& shift) {
-  const auto count = static_cast<std::size_t>(data.GetNumberOfPoints());
-  vtkNew<vtkPoints> moved;
-  moved->SetData(make_vectors<Array>("position", count, [&](std::size_t i) {
-    Eigen::Vector3d p;
-    data.GetPoint(static_cast<vtkIdType>(i), p.data());
-    return Eigen::Vector3d(p + shift);
-  }));
-  data.SetPoints(moved);
-}
-
 std::string read_all(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};

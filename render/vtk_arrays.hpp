@@ -8,6 +8,8 @@
 
 #include <vtkAOSDataArrayTemplate.h>
 #include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
@@ -57,6 +59,19 @@ inline std::span<const vtkIdType> corners(vtkCellArray& cells, vtkIdType i) {
   const vtkIdType* ids = nullptr;
   cells.GetCellAtId(i, count, ids);
   return {ids, static_cast<std::size_t>(count)};
+}
+
+/// The points moved by `shift`: in double for map coordinates, in single precision near zero.
+template <typename Array>
+void move_points(vtkPolyData& data, const Eigen::Vector3d& shift) {
+  const auto count = static_cast<std::size_t>(data.GetNumberOfPoints());
+  vtkNew<vtkPoints> moved;
+  moved->SetData(make_vectors<Array>("position", count, [&](std::size_t i) {
+    Eigen::Vector3d p;
+    data.GetPoint(static_cast<vtkIdType>(i), p.data());
+    return Eigen::Vector3d(p + shift);
+  }));
+  data.SetPoints(moved);
 }
 
 }  // namespace planescope::draw

@@ -58,6 +58,7 @@ std::vector<Plane> selected_planes(const PlaneSelection& selection) {
 // Faces follow the supporting planes, which alone cut (eq. (1)); patches on them get their normals.
 void add_faces(Segmentation& scene, const PlaneOptions& options) {
   ObjectFaces faces = find_object_faces(scene.graph, scene.planes, scene.patch_plane, options);
+  for (Patch& patch : scene.graph.patches) patch.own_normal = patch.normal;
   steady_normals(scene.graph.patches, faces);
   const auto first = static_cast<std::int32_t>(scene.planes.size());
   scene.planes.insert(scene.planes.end(), faces.planes.begin(), faces.planes.end());

@@ -47,6 +47,8 @@ Result make_result(const Segmentation& scene, const PointCloud& cloud, const Inp
   result.options_hash = options_hash(scene.options, scene.method);
   result.voxel_size = scene.options.patches.voxel_size;
   result.patch_size = scene.options.patches.patch_size;
+  result.options = scene.options;
+  result.selection = scene.selection;
   return result;
 }
 

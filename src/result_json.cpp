@@ -89,29 +89,42 @@ Json planes_json(const Segmentation& scene) {
   return all;
 }
 
+Json hypothesis_json(const PlaneHypothesis& h, std::size_t index) {
+  return {{"hypothesis", index},
+          {"normal", vector(h.plane.normal)},
+          {"distance", tidy(h.plane.distance)},
+          {"inliers", h.inlier_count},
+          {"area", tidy(h.inlier_area)},
+          {"data_cost", h.data_cost},
+          {"flip_cost", h.flip_cost}};
+}
+
+Json accepted_json(const PlaneSelection& selection) {
+  Json all = Json::array();
+  for (const std::uint32_t i : selection.selected)
+    all.push_back(hypothesis_json(selection.hypotheses[i], i));
+  return all;
+}
+
 Json rejected_json(const PlaneSelection& selection) {
   Json all = Json::array();
   for (std::size_t i = 0; i < selection.hypotheses.size(); ++i) {
     const PlaneHypothesis& h = selection.hypotheses[i];
     if (h.selected || h.inlier_count <= selection.lambda) continue;
-    all.push_back({{"hypothesis", i},
-                   {"normal", vector(h.plane.normal)},
-                   {"distance", tidy(h.plane.distance)},
-                   {"inliers", h.inlier_count},
-                   {"area", tidy(h.inlier_area)},
-                   {"data_cost", h.data_cost},
-                   {"flip_cost", h.flip_cost},
-                   {"blocked_by", index_or_null(h.blocked_by)},
-                   {"angle_cost", h.blocked_angle_cost},
-                   {"overlap_cost", h.blocked_overlap_cost}});
+    Json one = hypothesis_json(h, i);
+    one["blocked_by"] = index_or_null(h.blocked_by);
+    one["angle_cost"] = h.blocked_angle_cost;
+    one["overlap_cost"] = h.blocked_overlap_cost;
+    all.push_back(std::move(one));
   }
   return all;
 }
 
 Json hypotheses_json(const PlaneSelection& selection) {
-  return {{"proposed", selection.proposed}, {"entered", selection.hypotheses.size()},
-          {"selected", selection.selected}, {"lambda", selection.lambda},
-          {"energy", selection.energy},     {"rejected", rejected_json(selection)}};
+  return {{"proposed", selection.proposed},      {"entered", selection.hypotheses.size()},
+          {"selected", selection.selected},      {"lambda", selection.lambda},
+          {"energy", selection.energy},          {"accepted", accepted_json(selection)},
+          {"rejected", rejected_json(selection)}};
 }
 
 Json segments_json(const Segmentation& scene) {

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the planescope authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <cmath>
-#include <limits>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "json_file.hpp"
 #include "planescope/error.hpp"
 #include "planescope/result.hpp"
+#include "result_node.hpp"
 
 /// \file load_result(): someone may have edited the folder, so nothing in it is believed.
 namespace planescope {
@@ -17,98 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
-constexpr std::uint32_t kMaxCount = std::numeric_limits<std::int32_t>::max();
 
 constexpr const char* kHint = "run `planescope segment` again";
-
-/// A value of result.json and how it is called, for messages.
-class Node {
- public:
-  Node(const Json& json, const fs::path& file, std::string name)
-      : json_(json), file_(file), name_(std::move(name)) {}
-
-  [[noreturn]] void fail(const std::string& expected) const {
-    throw Error(Error::Kind::Input,
-                file_.string() + ": " + name_ + " should be " + expected + "; " + kHint);
-  }
-
-  Node operator[](const char* key) const {
-    if (!json_.is_object() || !json_.contains(key))
-      fail("an object with `" + std::string(key) + "`");
-    return {json_.at(key), file_, name_.empty() ? key : name_ + "." + key};
-  }
-
-  bool has(const char* key) const { return json_.is_object() && json_.contains(key); }
-
-  std::vector<Node> items() const {
-    if (!json_.is_array()) fail("a list");
-    std::vector<Node> all;
-    for (const Json& item : json_) {
-      all.emplace_back(item, file_, name_ + "[" + std::to_string(all.size()) + "]");
-    }
-    return all;
-  }
-
-  std::vector<std::pair<std::string, Node>> members() const {
-    if (!json_.is_object()) fail("an object");
-    std::vector<std::pair<std::string, Node>> all;
-    for (const auto& [key, item] : json_.items()) {
-      all.emplace_back(key, Node(item, file_, name_ + "." + key));
-    }
-    return all;
-  }
-
-  std::uint32_t count(std::uint32_t limit = kMaxCount) const {
-    if (!json_.is_number_unsigned() || json_.get<std::uint64_t>() > limit) {
-      fail("a whole number from 0 to " + std::to_string(limit));
-    }
-    return json_.get<std::uint32_t>();
-  }
-
-  double number() const {
-    if (!json_.is_number() || !std::isfinite(json_.get<double>())) fail("a number");
-    return json_.get<double>();
-  }
-  float real() const {
-    const double value = number();
-    if (std::abs(value) > double(std::numeric_limits<float>::max())) fail("within a float's range");
-    return static_cast<float>(value);
-  }
-
-  Eigen::Vector3d vector() const {
-    const auto parts = items();
-    if (parts.size() != 3) fail("three numbers");
-    return {parts[0].number(), parts[1].number(), parts[2].number()};
-  }
-
-  Eigen::Vector3f position() const {
-    const auto parts = items();
-    if (parts.size() != 3) fail("three numbers");
-    return {parts[0].real(), parts[1].real(), parts[2].real()};
-  }
-
-  Eigen::Vector3f unit() const {
-    const Eigen::Vector3f v = position();
-    if (!(std::abs(v.norm() - 1) < 1e-3f)) fail("a unit vector");
-    return v;
-  }
-
-  std::string dump() const { return json_.dump(-1, ' ', false, Json::error_handler_t::replace); }
-  bool null() const { return json_.is_null(); }
-  bool flag() const {
-    if (!json_.is_boolean()) fail("true or false");
-    return json_.get<bool>();
-  }
-  std::string text() const {
-    if (!json_.is_string()) fail("a text");
-    return json_.get<std::string>();
-  }
-
- private:
-  const Json& json_;
-  const fs::path& file_;
-  std::string name_;
-};
 
 MethodInfo read_method(const Node& node) {
   MethodInfo method{node["name"].text(), true, true, {}};
@@ -178,11 +88,13 @@ void read_json(const Node& root, Result& result) {
   result.patch_size = root["options"]["patches.patch_size"].number();
   if (!(result.voxel_size > 0)) root["options"]["patches.voxel_size"].fail("more than 0");
   if (!(result.patch_size > 0)) root["options"]["patches.patch_size"].fail("more than 0");
+  result.options = read_options(root["options"]);
   result.up = root["up"].unit();
   result.patch_count = root["patches"].count();
   for (const Node& node : root["planes"].items()) {
     result.planes.push_back(read_plane(node, result.planes.size()));
   }
+  if (!root["hypotheses"].null()) result.selection = read_selection(root["hypotheses"]);
   for (const Node& node : root["segments"].items()) {
     result.segments.push_back(read_segment(node, result.segments.size(), result.planes.size()));
   }

@@ -25,4 +25,8 @@ if [[ -x $work/prefix/bin/planescope ]]; then  # drawing was built: it is in the
   "$work/build/draw_room" "$work/room.png"
   [[ -s $work/room.png ]]
   "$work/prefix/bin/planescope" --version
+  "$work/prefix/bin/planescope" synthesize -o "$work/room.ply" --points 40000 -q
+  "$work/build/vtk_filter" "$work/room.ply" "$work/off.vtp" | tee "$work/out"
+  grep -q 'planes, .* edges, .* of them OFF' "$work/out"
+  [[ -s $work/off.vtp ]]
 fi

@@ -19,6 +19,9 @@ struct Patch {
   Eigen::Vector3f centroid = Eigen::Vector3f::Zero();  ///< c_i [m], mean of its voxels' means
   Eigen::Vector3f normal =
       Eigen::Vector3f::UnitZ();  ///< n_i, unit; towards the side from which it was seen
+  /// The normal that the patch's own voxels give; `normal` but for patches on a face, which have
+  /// the face's.
+  Eigen::Vector3f own_normal = Eigen::Vector3f::UnitZ();
   float curvature = 0;  ///< u_i = l0 / (l0 + l1 + l2) of the PCA over its voxels, in [0, 1/3]
   float area = 0;       ///< [m^2] about (number of voxels) * voxel_size^2, slant corrected
   float scale = 1;      ///< [1] size of its voxels in units of voxel_size (see range_exponent);

@@ -25,6 +25,8 @@ Command add_evaluate(CLI::App& program);
 Command add_figure(CLI::App& program);
 Command add_compare(CLI::App& program);
 Command add_batch(CLI::App& program);
+Command add_explain(CLI::App& program);
+Command add_sweep(CLI::App& program);
 Command add_reconstruct(CLI::App& program);
 Command add_synthesize(CLI::App& program);
 Command add_track(CLI::App& program);

@@ -8,6 +8,7 @@
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
+#include "cli/graph_arguments.hpp"
 #include "cli/memory.hpp"
 #include "cli/picture_arguments.hpp"
 #include "planescope/error.hpp"
@@ -19,9 +20,22 @@ namespace {
 struct Arguments {
   Console console;
   PictureArguments picture;
+  GraphArguments graph;
   std::filesystem::path folder, png, save_camera;
   int orbit = 0;
 };
+
+/// The graph, with what its legend counts.
+void draw_graph(const Arguments& a, nlohmann::ordered_json& outcome) {
+  if (a.orbit > 0) throw Error(Error::Kind::Usage, "--orbit goes without --graph-color and --only");
+  RenderOptions options = a.picture.options();
+  a.graph.merge(options.truth);
+  const GraphPicture drawn = render_graph(a.folder, options, a.graph.options(), a.png);
+  if (!a.save_camera.empty()) write_camera(drawn.camera, a.save_camera);
+  outcome["camera"] = nlohmann::ordered_json::parse(camera_json(drawn.camera));
+  for (const LegendCount& line : drawn.edges) outcome["edges"][line.name] = line.count;
+  for (const LegendCount& line : drawn.points) outcome["points"][line.name] = line.count;
+}
 
 /// How well readers tell the colours of touching segments apart.
 nlohmann::ordered_json colors_json(const Arguments& a) {
@@ -39,7 +53,9 @@ void run(const Arguments& a) {
   const RenderOptions options = a.picture.options();
   require_memory_for_drawing(options);
   nlohmann::ordered_json outcome = {{"picture", a.png.string()}};
-  if (a.orbit > 0) {
+  if (a.graph.given()) {
+    draw_graph(a, outcome);
+  } else if (a.orbit > 0) {
     render_orbit(a.folder, options, a.orbit, a.png);
     outcome["frames"] = a.orbit;
   } else {
@@ -64,6 +80,7 @@ Command add_render(CLI::App& program) {
   command->add_option("DIR", a->folder, "Result folder of `planescope segment`")->required();
   command->add_option("-o,--output", a->png, "Picture")->required()->type_name("PNG");
   a->picture.declare(*command);
+  a->graph.declare(*command);
   auto* save = command->add_option("--save-camera", a->save_camera, "Keep the camera in this file");
   save->type_name("JSON");
   command
