@@ -55,8 +55,8 @@ struct TruthPolicy {
     Missed,   ///< points in no segment never match, and still count in their region's size
     Ignored,  ///< they do not count at all
   };
-  std::uint32_t divide = 1;           ///< regions are label / divide: merge_truth()
-  std::uint32_t from = 0;             ///< only labels from here up count
+  std::uint32_t divide = 1;                ///< regions are label / divide: merge_truth()
+  std::uint32_t from = 0;                  ///< only labels from here up count
   std::vector<std::uint32_t> ignore = {};  ///< labels that do not count, besides 0
   Unlabelled unlabelled = Unlabelled::Missed;
 };
