@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 the planescope authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "io/whole_file.hpp"
+#include "json_file.hpp"
 #include "planescope/camera.hpp"
 #include "planescope/error.hpp"
 
@@ -14,10 +13,10 @@ namespace planescope {
 namespace {
 
 using Json = nlohmann::ordered_json;
+constexpr const char* kHint = "`planescope render --save-camera` writes such a file";
 
 [[noreturn]] void refuse(const std::string& name, const std::string& what) {
-  throw Error(Error::Kind::Input,
-              name + ": " + what + "; `planescope render --save-camera` writes such a file");
+  throw Error(Error::Kind::Input, name + ": " + what + "; " + kHint);
 }
 
 double number(const Json& json, const std::string& key, const std::string& name) {
@@ -50,8 +49,7 @@ std::string camera_json(const Camera& camera) {
 }
 
 Camera parse_camera(const std::string& text, const std::string& name) {
-  const Json json = Json::parse(text, nullptr, false);
-  if (json.is_discarded()) refuse(name, "is not JSON");
+  const Json json = parse_json(text, name, kHint);
   Camera camera;
   camera.position = vector(json, "position", name);
   camera.focal = vector(json, "focal", name);
@@ -72,10 +70,7 @@ Camera parse_camera(const std::string& text, const std::string& name) {
 }
 
 Camera read_camera(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (!in) refuse(file.string(), "cannot be read");
-  return parse_camera(text, file.string());
+  return parse_camera(read_json_text(file, kHint), file.string());
 }
 
 void write_camera(const Camera& camera, const std::filesystem::path& file) {

@@ -20,7 +20,7 @@ namespace planescope::draw {
 /// linear over a plane in perspective: a plane is not darkened however it is slanted, so walls
 /// keep their colour; and it works on depth relative to the camera's distance, so that a table and
 /// a hall are shaded alike. Depth is passed on, so that what is drawn later is hidden rightly.
-class DepthShading : public vtkDepthImageProcessingPass {
+class DepthShading final : public vtkDepthImageProcessingPass {
  public:
   static DepthShading* New();
   vtkTypeMacro(DepthShading, vtkDepthImageProcessingPass)

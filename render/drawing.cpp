@@ -17,6 +17,7 @@
 #include "depth_shading.hpp"
 #include "marks.hpp"
 #include "planescope/error.hpp"
+#include "scene_box.hpp"
 #include "sensor_noise.hpp"
 #include "thinning.hpp"
 #include "validate.hpp"
@@ -47,11 +48,12 @@ void place(vtkRenderer& renderer, const Camera& camera, const double* clipping_r
 
 /// Nearest and farthest depth of what is drawn before the camera, with room to spare: both
 /// renderers share it, and with it the depth buffer.
-std::array<double, 2> depth_range(const PointCloud& cloud, const Camera& camera) {
+std::array<double, 2> depth_range(const PointCloud& cloud, const SceneBox& box,
+                                  const Camera& camera) {
   const std::size_t step = 1 + cloud.size() / kDepthSample;
   double nearest = std::numeric_limits<double>::infinity(), farthest = 1e-3;
   for (std::size_t i = 0; i < cloud.size(); i += step) {
-    if (!is_finite(cloud.positions[i])) continue;
+    if (!box.holds(cloud.positions[i])) continue;
     const double depth =
         (cloud.positions[i].cast<double>() - camera.position).dot(camera.forward());
     if (depth > 0) nearest = std::min(nearest, depth);
@@ -216,7 +218,8 @@ Image Drawing::draw(Layer layers, const std::array<int, 2>& size, Annotation ann
   const int scale = supersample(size);
   if (!points_) upload(size, scale);
   show(layers, colors, layout, scale);
-  const std::array<double, 2> depths = depth_range(scene_.result.cloud, eye_);
+  const std::array<double, 2> depths =
+      depth_range(scene_.result.cloud, SceneBox(scene_.result), eye_);
   place(*points_renderer_, eye_, depths.data());
   place(*shapes_renderer_, eye_, depths.data());
   Image image = picture(size, scale, annotation, layout);

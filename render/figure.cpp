@@ -47,13 +47,16 @@ std::vector<Panel> overview_panels(const SceneData& scene) {
     return Panel{layers, describe(scene, layers, title)};
   };
   const std::size_t edges = static_cast<std::size_t>(scene.graph->GetNumberOfCells());
+  const std::size_t planes = count_planes(result.planes, PlaneRole::Support);
+  const std::size_t faces = result.planes.size() - planes;
   // A peer has no 0 of what it cannot have.
   const auto count = [&](bool has, std::size_t number) {
     return has ? grouped(number) : "none, " + result.method.name + " has no such thing";
   };
   return {panel(Layer::Scene, "Scene: " + grouped(finite_points(scene)) + " points"),
           panel(Layer::Segments, "Segments: " + grouped(result.segments.size())),
-          panel(Layer::Planes, "Planes: " + count(result.method.has_planes, result.planes.size())),
+          panel(Layer::Planes, "Planes: " + count(result.method.has_planes, planes) +
+                                   (faces > 0 ? ", faces: " + grouped(faces) : "")),
           panel(Layer::Graph, "Edges: " + count(result.method.has_graph, edges))};
 }
 

@@ -32,8 +32,8 @@ vtkSmartPointer<vtkPoints> centroids(const std::vector<Patch>& patches) {
 
 void add_membership(const Segmentation& scene, vtkDataSetAttributes& data) {
   const std::size_t count = scene.graph.patches.size();
-  data.AddArray(make_column<vtkIntArray>(
-      "plane", count, [&](std::size_t i) { return scene.patch_plane[i].plane; }));
+  data.AddArray(
+      make_column<vtkIntArray>("plane", count, [&](std::size_t i) { return scene.plane_of(i); }));
   data.AddArray(make_column<vtkUnsignedIntArray>(
       "label", count, [&](std::size_t i) { return scene.segments.patch_label[i]; }));
 }

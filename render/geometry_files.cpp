@@ -3,12 +3,9 @@
 #include "geometry_files.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <fstream>
 #include <iterator>
-#include <new>
 #include <string>
-#include <string_view>
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -17,20 +14,20 @@
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
 
 #include "io/whole_file.hpp"
 #include "planescope/error.hpp"
 #include "vtk_arrays.hpp"
 #include "vtk_errors.hpp"
+#include "vtp_reader.hpp"
+#include "vtp_xml.hpp"
 
 namespace planescope::draw {
 namespace {
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& what) {
-  throw Error(Error::Kind::Input,
-              file.string() + ": " + what + "; segment the scene again to make the folder anew");
+  refuse_vtp(file.string(), what);
 }
 
 /// The points moved by `shift`: in double for map coordinates, in single precision near zero.
@@ -44,23 +41,6 @@ void move_points(vtkPolyData& data, const Eigen::Vector3d& shift) {
     return Eigen::Vector3d(p + shift);
   }));
   data.SetPoints(moved);
-}
-
-/// VTK allocates what a header asks for before it looks at the data: each count is checked against
-/// the bytes that are there first. Zlib packs 1000:1 at best.
-void check_counts(const std::filesystem::path& file, const std::string& bytes) {
-  for (const std::string_view name :
-       {"NumberOfPoints=\"", "NumberOfVerts=\"", "NumberOfLines=\"", "NumberOfPolys=\"",
-        "NumberOfStrips=\"", "NumberOfTuples=\"", "NumberOfComponents=\""}) {
-    for (std::size_t at = bytes.find(name); at != std::string::npos;
-         at = bytes.find(name, at + 1)) {
-      const char* begin = bytes.data() + at + name.size();
-      std::uint64_t value = 0;
-      const auto [end, failure] = std::from_chars(begin, bytes.data() + bytes.size(), value);
-      if (failure != std::errc() || *end != '"' || value > bytes.size() * 1000)
-        refuse(file, "byte " + std::to_string(at) + ": a count that the file cannot hold");
-    }
-  }
 }
 
 std::string read_all(const std::filesystem::path& file) {
@@ -131,19 +111,7 @@ void write_vtp(vtkPolyData* data, const Eigen::Vector3d& origin,
 
 vtkSmartPointer<vtkPolyData> read_vtp(const std::filesystem::path& file,
                                       const Eigen::Vector3d& origin, const VtpContract& contract) {
-  const std::string bytes = read_all(file);
-  check_counts(file, bytes);
-  vtkNew<vtkXMLPolyDataReader> reader;
-  VtkErrors errors(reader);
-  reader->ReadFromInputStringOn();
-  reader->SetInputString(bytes);
-  try {
-    reader->Update();
-  } catch (const std::bad_alloc&) {
-    refuse(file, "asks for more memory than there is");
-  }
-  if (errors.any()) refuse(file, "VTK cannot read it: " + errors.first());
-  vtkSmartPointer<vtkPolyData> data = reader->GetOutput();
+  const vtkSmartPointer<vtkPolyData> data = parse_vtp(read_all(file), file.string());
   check(file, *data, contract);
   if (!origin.isZero(0)) move_points<vtkFloatArray>(*data, -origin);
   return data;

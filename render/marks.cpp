@@ -43,7 +43,8 @@ std::vector<LegendEntry> segment_legend(const SceneData& scene, const SceneColor
 std::vector<LegendEntry> plane_legend(const SceneData& scene, const SceneColors& colors) {
   std::vector<LegendEntry> legend;
   for (std::size_t i = 0; i < scene.result.planes.size(); ++i)
-    legend.push_back(box(colors.planes[i], "plane " + std::to_string(i) + ": " +
+    legend.push_back(box(colors.planes[i], std::string(name(scene.result.planes[i].role)) + " " +
+                                               std::to_string(i) + ": " +
                                                area_text(scene.result.planes[i].area)));
   return legend;
 }

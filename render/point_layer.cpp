@@ -18,15 +18,17 @@
 #include <vtkUniforms.h>
 #include <vtkUnsignedCharArray.h>
 
+#include "scene_box.hpp"
 #include "vtk_arrays.hpp"
 
 namespace planescope::draw {
 std::vector<std::uint32_t> visible_points(const SceneData& scene, const Cutaway& cut) {
   const Result& result = scene.result;
+  const SceneBox box(result);
   std::vector<std::uint32_t> points;
   for (std::size_t i = 0; i < result.cloud.size(); ++i) {
     const Eigen::Vector3f& p = result.cloud.positions[i];
-    if (!is_finite(p) || (cut.any() && cut.hides(p, result.point_plane[i]))) continue;
+    if (!box.holds(p) || (cut.any() && cut.hides(p, result.point_plane[i]))) continue;
     points.push_back(static_cast<std::uint32_t>(i));
   }
   return points;

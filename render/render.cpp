@@ -133,6 +133,8 @@ void save_geometry(const Segmentation& scene, const PointCloud& cloud,
   draw::write_vtp(patches, cloud.origin, folder / "patches.vtp");
   draw::write_vtp(graph, cloud.origin, folder / "graph.vtp");
   draw::write_vtp(planes, cloud.origin, folder / "planes.vtp");
+  if (std::filesystem::exists(folder / "result.json"))
+    add_files(folder, {"patches.vtp", "graph.vtp", "planes.vtp"});
 }
 
 std::vector<EdgeState> stored_edges(const Result& result, const std::filesystem::path& folder) {

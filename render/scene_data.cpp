@@ -62,6 +62,8 @@ SceneData add_geometry(Result result, const std::filesystem::path& folder) {
 
   const auto patches = folder / "patches.vtp";
   const auto planes = folder / "planes.vtp";
+  for (const char* name : {"patches.vtp", "graph.vtp", "planes.vtp"})
+    check_file(result, folder, name);
   SceneData data;
   data.patches = read_vtp(patches, origin,
                           {Columns::OfPoints,

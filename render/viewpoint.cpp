@@ -224,6 +224,7 @@ Cutaway::Cutaway(const SceneData& scene, const SceneFrame& frame, const Eigen::V
   for (std::size_t k = 0; k < planes.size(); ++k) {
     const double slope = std::abs(planes[k].plane.normal.cast<double>().dot(frame.up));
     if (slope > kUpright && slope < kLevel) continue;
+    if (planes[k].role == PlaneRole::Face) continue;  // a thing in the room, not its wall
     const auto index = static_cast<std::int32_t>(k);
     if (!stands_between(patches, index, planes[k].plane, frame, camera, band(scene, planes[k])))
       continue;

@@ -4,7 +4,10 @@
 
 #include <string>
 
+#include <vtkLogger.h>
 #include <vtkObject.h>
+#include <vtkOutputWindow.h>
+#include <vtkSmartPointer.h>
 
 namespace planescope::draw {
 
@@ -27,6 +30,24 @@ class VtkErrors {
   vtkObject* object_;
   unsigned long error_ = 0, warning_ = 0;
   std::string first_;
+};
+
+/// While it lives, nothing that VTK says of anything goes to stderr: readers and framebuffers have
+/// objects inside that nobody can listen to. The first error is kept instead.
+class VtkSilence {
+ public:
+  VtkSilence();
+  ~VtkSilence();
+  VtkSilence(const VtkSilence&) = delete;
+  VtkSilence& operator=(const VtkSilence&) = delete;
+
+  bool any() const noexcept { return !first().empty(); }
+  /// The first error's text, on one line; empty if there was none.
+  const std::string& first() const noexcept;
+
+ private:
+  vtkSmartPointer<vtkOutputWindow> ours_, before_;
+  vtkLogger::Verbosity verbosity_;
 };
 
 }  // namespace planescope::draw

@@ -59,13 +59,14 @@ void Window::bind_context() {
 }
 
 Window::~Window() {
+  const VtkSilence errors;
   bind_context();
   window_->Finalize();
   window_->RemoveAllObservers();
 }
 
 Image Window::draw(int width, int height) {
-  VtkErrors errors(window_);
+  const VtkSilence errors;
   window_->SetSize(width, height);
   window_->Render();
   vtkNew<vtkUnsignedCharArray> pixels;

@@ -44,6 +44,7 @@ Edge measure(const PatchGraph& graph, const Adjacency& pair, const EdgeOptions& 
   edge.singular_angle = sine > 0 ? angle_degrees(std::abs(d.dot(fold)) / sine) : 90.0f;
   edge.singular_limit = singular_limit(edge.normal_angle, options);
   edge.step = length * std::min(std::abs(d.dot(a.normal)), std::abs(d.dot(b.normal)));
+  edge.facing = -0.5f * edge.convexity * length;
   edge.step_limit = std::max(a.scale, b.scale) *
                     (sine * graph.patch_size +
                      static_cast<float>(options.smoothness_tolerance) * graph.voxel_size);
@@ -63,9 +64,19 @@ void decide_by_planes(Edge& edge, const PatchPlane& a, const PatchPlane& b) {
   edge.margin = std::min(a.margin, b.margin);
 }
 
+// Normals point nearly opposite ways: the two sides of a board or rim or, where they face each
+// other by more than a step, two things with a gap between. Differs from LCCP, whose tests compare
+// the direction of a fold that two nearly parallel planes do not have.
+void decide_by_sides(Edge& edge) {
+  edge.on = edge.facing <= edge.step_limit;
+  edge.rule = edge.on ? EdgeRule::Convex : EdgeRule::Concave;
+  edge.margin = relative(edge.facing, edge.step_limit);
+}
+
 // LCCP without support: what the two patches alone say.
 void decide_by_convexity(Edge& edge, const EdgeOptions& options) {
   const auto tolerance = static_cast<float>(options.concavity_tolerance);
+  if (edge.normal_angle > static_cast<float>(options.rim_angle)) return decide_by_sides(edge);
   if (edge.singular_angle < edge.singular_limit) {
     edge.rule = EdgeRule::Singular;
     edge.margin = relative(edge.singular_angle, edge.singular_limit);

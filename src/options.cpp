@@ -118,6 +118,7 @@ Options Options::tabletop() {
   options.planes.sigma = 0.01;
   // A table top, not the face of a box on it.
   options.planes.min_area = 0.1;
+  options.planes.face_area = 0.002;
   return options;
 }
 

@@ -2,14 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planescope/pipeline.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <sstream>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include "border_points.hpp"
+#include "patches/smoothing.hpp"
+#include "planes/object_faces.hpp"
 #include "planes/support.hpp"
 #include "planescope/error.hpp"
+#include "segment_graph.hpp"
 
 namespace planescope {
 namespace {
@@ -50,7 +55,18 @@ std::vector<Plane> selected_planes(const PlaneSelection& selection) {
   throw Error(Error::Kind::Computation, message.str());
 }
 
-// What holds for a patch holds for its points.
+// Faces follow the supporting planes, which alone cut (eq. (1)); patches on them get their normals.
+void add_faces(Segmentation& scene, const PlaneOptions& options) {
+  ObjectFaces faces = find_object_faces(scene.graph, scene.planes, scene.patch_plane, options);
+  steady_normals(scene.graph.patches, faces);
+  const auto first = static_cast<std::int32_t>(scene.planes.size());
+  scene.planes.insert(scene.planes.end(), faces.planes.begin(), faces.planes.end());
+  for (std::int32_t& face : faces.patch_face) face = face == kNone ? kNone : first + face;
+  scene.patch_face = std::move(faces.patch_face);
+}
+
+}  // namespace
+
 void label_points(Segmentation& scene) {
   const std::vector<std::int32_t>& point_patch = scene.graph.point_patch;
   scene.point_label.resize(point_patch.size());
@@ -61,23 +77,20 @@ void label_points(Segmentation& scene) {
           const bool in_patch = point_patch[i] != kNone;
           const auto p = static_cast<std::size_t>(point_patch[i]);
           scene.point_label[i] = in_patch ? scene.segments.patch_label[p] : kNoSegment;
-          scene.point_plane[i] = in_patch ? scene.patch_plane[p].plane : kNone;
+          scene.point_plane[i] = in_patch ? scene.plane_of(p) : kNone;
         }
       });
 }
 
-}  // namespace
+std::string_view name(PlaneRole role) { return role == PlaneRole::Face ? "face" : "plane"; }
 
-Segmentation segment(const PointCloud& cloud, const Options& options, const Progress& progress) {
-  options.validate();
-  Segmentation scene;
-  scene.options = options;
+std::size_t count_planes(const std::vector<SupportingPlane>& planes, PlaneRole role) {
+  return static_cast<std::size_t>(std::ranges::count(planes, role, &SupportingPlane::role));
+}
+
+void segment_graph(Segmentation& scene, const Options& options, const Progress& progress) {
   StageTimes& times = scene.times;
   StageClock clock;
-
-  clock.start(times.patches);
-  scene.graph = make_patches(cloud, options.patches, progress);  // III-A
-  if (scene.graph.patches.empty()) refuse_scale(cloud, options.patches);
   clock.start(times.hypotheses);
   scene.selection = select_planes(  // IV-A, IV-B
       scene.graph, options.planes, [&](std::string_view stage, double fraction) {
@@ -90,13 +103,34 @@ Segmentation segment(const PointCloud& cloud, const Options& options, const Prog
   Support support = refit_planes(scene.graph, scene.selection, assignment, options.planes);
   scene.planes = std::move(support.planes);
   scene.patch_plane = std::move(support.patch_plane);
+  add_faces(scene, options.planes);
   clock.start(times.edges);
   scene.edges = classify_edges(scene.graph, scene.patch_plane, options.edges);  // III-B, eq. (1)
   clock.start(times.segments);
   scene.segments = connect_segments(scene.graph, scene.edges, scene.patch_plane, options.segments);
-  label_points(scene);
   double done = 0;
   clock.start(done);
+}
+
+Segmentation segment(const PointCloud& cloud, const Options& options, const Progress& progress) {
+  options.validate();
+  Segmentation scene;
+  scene.options = options;
+  StageClock clock;
+  clock.start(scene.times.patches);
+  const bool scattered = options.patches.smoothing > 0;
+  const PointCloud smooth =
+      scattered ? smooth_points(cloud, options.patches.smoothing) : PointCloud();
+  const PointCloud& surface = scattered ? smooth : cloud;
+  scene.graph = make_patches(surface, options.patches, progress);  // III-A
+  if (scene.graph.patches.empty()) refuse_scale(cloud, options.patches);
+  double other = 0;
+  clock.start(other);
+  segment_graph(scene, options, progress);
+  clock.start(scene.times.segments);
+  recut_borders(scene, surface);
+  label_points(scene);
+  clock.start(other);
   return scene;
 }
 

@@ -4,6 +4,7 @@
 
 #include "io/pcd_writer.hpp"
 #include "io/whole_file.hpp"
+#include "json_file.hpp"
 #include "planescope/error.hpp"
 #include "result_json.hpp"
 
@@ -62,6 +63,13 @@ void save(const Segmentation& scene, const PointCloud& cloud, const std::filesys
   std::filesystem::remove(json_file, failure);  // a folder that has it is complete
   write_points(scene, cloud, points_file);
   write_whole(json_file, result_json(scene, cloud, input, hash_file(points_file)));
+}
+
+void add_files(const std::filesystem::path& folder, const std::vector<std::string>& names) {
+  const auto file = folder / "result.json";
+  std::map<std::string, std::string> hashes;
+  for (const std::string& name : names) hashes[name] = hash_file(folder / name);
+  write_whole(file, with_files(read_json_text(file, "save() writes it"), hashes));
 }
 
 }  // namespace planescope

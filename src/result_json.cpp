@@ -31,17 +31,19 @@ Json vector(const Vector& v) {
 
 Json index_or_null(std::int32_t index) { return index == kNone ? Json() : Json(index); }
 
-Json input_json(const PointCloud& cloud, const InputInfo& input) {
+Json input_json(const PointCloud& cloud, const InputInfo& input, std::size_t strays) {
   const auto finite = std::ranges::count_if(cloud.positions, is_finite);
-  return {{"name", input.name},
-          {"hash", input.hash},
-          {"points", cloud.size()},
-          {"finite_points", finite},
-          {"width", cloud.width},
-          {"height", cloud.height},
-          {"origin", vector(cloud.origin)},
-          {"sensor", cloud.sensor ? vector(*cloud.sensor) : Json()},
-          {"has_color", cloud.has_colors()}};
+  Json all = {{"name", input.name},
+              {"hash", input.hash},
+              {"points", cloud.size()},
+              {"finite_points", finite},
+              {"width", cloud.width},
+              {"height", cloud.height},
+              {"origin", vector(cloud.origin)},
+              {"sensor", cloud.sensor ? vector(*cloud.sensor) : Json()},
+              {"has_color", cloud.has_colors()}};
+  if (strays > 0) all["stray_points"] = strays;  // rare: left out, far away from all others
+  return all;
 }
 
 /// What a method lacks is said, so that no plane and no notion of planes are told apart.
@@ -73,14 +75,16 @@ Json scale_json(const PointCloud& cloud) {
 Json planes_json(const Segmentation& scene) {
   Json all = Json::array();
   for (const SupportingPlane& plane : scene.planes) {
+    const bool face = plane.role == PlaneRole::Face;
     all.push_back({{"id", all.size()},
+                   {"role", face ? "face" : "support"},
                    {"normal", vector(plane.plane.normal)},
                    {"distance", tidy(plane.plane.distance)},
                    {"area", tidy(plane.area)},
                    {"patches", plane.patch_count},
                    {"points", plane.point_count},
                    {"rms", tidy(plane.rms)},
-                   {"hypothesis", plane.hypothesis}});
+                   {"hypothesis", face ? Json() : Json(plane.hypothesis)}});
   }
   return all;
 }
@@ -162,12 +166,19 @@ std::string options_hash(const Options& options, const MethodInfo& method) {
   return hash_text(nlohmann::json(options_json(options, method)).dump());  // which sorts the keys
 }
 
+std::string with_files(const std::string& result_json,
+                       const std::map<std::string, std::string>& hashes) {
+  Json all = Json::parse(result_json);  // which we have just written
+  all["files"] = hashes;
+  return lay_out(all) + "\n";
+}
+
 std::string result_json(const Segmentation& scene, const PointCloud& cloud, const InputInfo& input,
                         const std::string& points_hash) {
   const Json all = {
       {"schema", kResultSchema},
       {"planescope", PLANESCOPE_VERSION},
-      {"input", input_json(cloud, input)},
+      {"input", input_json(cloud, input, scene.graph.stray_points)},
       {"method", method_json(scene.method)},
       {"options", options_json(scene.options, scene.method)},
       {"scale", scale_json(cloud)},

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "planescope/result.hpp"
@@ -13,6 +14,10 @@ namespace planescope {
 /// \param points_hash hash_file() of points.pcd, which ties the two files together.
 std::string result_json(const Segmentation& scene, const PointCloud& cloud, const InputInfo& input,
                         const std::string& points_hash);
+
+/// The same text with other files' hashes, by name.
+std::string with_files(const std::string& result_json,
+                       const std::map<std::string, std::string>& hashes);
 
 /// Result::options_hash.
 std::string options_hash(const Options& options, const MethodInfo& method);

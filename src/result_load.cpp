@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the planescope authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
-#include <fstream>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "io/pcd_reader.hpp"
+#include "json_file.hpp"
 #include "planescope/error.hpp"
 #include "planescope/result.hpp"
 
@@ -20,17 +19,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 constexpr std::uint32_t kMaxCount = std::numeric_limits<std::int32_t>::max();
 
-std::string read_whole(const fs::path& file) {
-  std::error_code failure;
-  const auto size = fs::file_size(file, failure);
-  std::ifstream in(file, std::ios::binary);
-  std::string bytes(failure ? 0 : size, '\0');
-  if (failure || !in.read(bytes.data(), static_cast<std::streamsize>(size))) {
-    throw Error(Error::Kind::Input,
-                file.string() + ": cannot be read; a result folder of `planescope segment` has it");
-  }
-  return bytes;
-}
+constexpr const char* kHint = "run `planescope segment` again";
 
 /// A value of result.json and how it is called, for messages.
 class Node {
@@ -39,8 +28,8 @@ class Node {
       : json_(json), file_(file), name_(std::move(name)) {}
 
   [[noreturn]] void fail(const std::string& expected) const {
-    throw Error(Error::Kind::Input, file_.string() + ": " + name_ + " should be " + expected +
-                                        "; run `planescope segment` again");
+    throw Error(Error::Kind::Input,
+                file_.string() + ": " + name_ + " should be " + expected + "; " + kHint);
   }
 
   Node operator[](const char* key) const {
@@ -48,6 +37,8 @@ class Node {
       fail("an object with `" + std::string(key) + "`");
     return {json_.at(key), file_, name_.empty() ? key : name_ + "." + key};
   }
+
+  bool has(const char* key) const { return json_.is_object() && json_.contains(key); }
 
   std::vector<Node> items() const {
     if (!json_.is_array()) fail("a list");
@@ -78,7 +69,11 @@ class Node {
     if (!json_.is_number() || !std::isfinite(json_.get<double>())) fail("a number");
     return json_.get<double>();
   }
-  float real() const { return static_cast<float>(number()); }
+  float real() const {
+    const double value = number();
+    if (std::abs(value) > double(std::numeric_limits<float>::max())) fail("within a float's range");
+    return static_cast<float>(value);
+  }
 
   Eigen::Vector3d vector() const {
     const auto parts = items();
@@ -86,8 +81,14 @@ class Node {
     return {parts[0].number(), parts[1].number(), parts[2].number()};
   }
 
+  Eigen::Vector3f position() const {
+    const auto parts = items();
+    if (parts.size() != 3) fail("three numbers");
+    return {parts[0].real(), parts[1].real(), parts[2].real()};
+  }
+
   Eigen::Vector3f unit() const {
-    const Eigen::Vector3f v = vector().cast<float>();
+    const Eigen::Vector3f v = position();
     if (!(std::abs(v.norm() - 1) < 1e-3f)) fail("a unit vector");
     return v;
   }
@@ -108,16 +109,6 @@ class Node {
   const fs::path& file_;
   std::string name_;
 };
-
-Json parse(const fs::path& file) {
-  const std::string text = read_whole(file);
-  try {
-    return Json::parse(text);
-  } catch (const Json::parse_error& error) {
-    throw Error(Error::Kind::Input, file.string() + ", byte " + std::to_string(error.byte) +
-                                        ": not JSON; run `planescope segment` again");
-  }
-}
 
 MethodInfo read_method(const Node& node) {
   MethodInfo method{node["name"].text(), true, true, {}};
@@ -140,7 +131,7 @@ void read_input(const Node& input, Result& result) {
   cloud.width = input["width"].count();
   cloud.height = input["height"].count();
   cloud.origin = input["origin"].vector();
-  if (!input["sensor"].null()) cloud.sensor = input["sensor"].vector().cast<float>();
+  if (!input["sensor"].null()) cloud.sensor = input["sensor"].position();
   if (std::uint64_t{cloud.width} * cloud.height != input["points"].count()) {
     input["points"].fail("width x height");
   }
@@ -150,7 +141,10 @@ SupportingPlane read_plane(const Node& node, std::size_t index) {
   if (node["id"].count() != index) node["id"].fail(std::to_string(index));
   SupportingPlane plane;
   plane.plane = {node["normal"].unit(), node["distance"].real()};
-  plane.hypothesis = node["hypothesis"].count();
+  const std::string role = node["role"].text();
+  if (role != "support" && role != "face") node["role"].fail("support or face");
+  plane.role = role == "face" ? PlaneRole::Face : PlaneRole::Support;
+  if (plane.role == PlaneRole::Support) plane.hypothesis = node["hypothesis"].count();
   plane.patch_count = node["patches"].count();
   plane.point_count = node["points"].count();
   plane.area = node["area"].real();
@@ -170,7 +164,7 @@ Segment read_segment(const Node& node, std::size_t index, std::size_t planes) {
   segment.patch_count = node["patches"].count();
   segment.point_count = node["points"].count();
   segment.area = node["area"].real();
-  segment.centroid = node["centroid"].vector().cast<float>();
+  segment.centroid = node["centroid"].position();
   return segment;
 }
 
@@ -191,6 +185,9 @@ void read_json(const Node& root, Result& result) {
   }
   for (const Node& node : root["segments"].items()) {
     result.segments.push_back(read_segment(node, result.segments.size(), result.planes.size()));
+  }
+  if (root.has("files")) {
+    for (const auto& [name, hash] : root["files"].members()) result.file_hashes[name] = hash.text();
   }
   for (std::size_t rule = 0; rule < kEdgeRuleCount; ++rule) {
     const std::string key(name(static_cast<EdgeRule>(rule)));
@@ -232,25 +229,35 @@ void check_points(const Result& result, const fs::path& file) {
   }
 }
 
+void check_hash(const fs::path& file, const std::string& expected) {
+  if (hash_file(file) == expected) return;
+  throw Error(Error::Kind::Input, file.string() +
+                                      ": not the file that result.json beside it was written "
+                                      "with; " +
+                                      kHint);
+}
+
 }  // namespace
 
+void check_file(const Result& result, const fs::path& folder, const std::string& name) {
+  const auto known = result.file_hashes.find(name);
+  if (known != result.file_hashes.end()) check_hash(folder / name, known->second);
+}
+
 Result load_result(const fs::path& folder) {
-  if (!fs::is_directory(folder)) {
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored)) {
     throw Error(Error::Kind::Input, folder.string() +
                                         ": not a folder; name one that `planescope segment -o` "
                                         "made");
   }
   const fs::path json_file = folder / "result.json", points_file = folder / "points.pcd";
-  const Json json = parse(json_file);
+  const Json json = read_json(json_file, kHint);
   const Node root(json, json_file, "");
   Result result;
   result.options_hash = hash_text(root["options"].dump());
   read_json(root, result);
-  if (hash_file(points_file) != root["points_hash"].text()) {
-    throw Error(Error::Kind::Input, points_file.string() +
-                                        ": not the file that result.json beside it was written "
-                                        "with; run `planescope segment` again");
-  }
+  check_hash(points_file, root["points_hash"].text());
   read_points(points_file, result);
   check_points(result, points_file);
   return result;

@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the planescope authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <set>
+#include <span>
 #include <vector>
 
 #include <tbb/blocked_range.h>
@@ -22,6 +25,9 @@ namespace {
 
 constexpr std::size_t kQueries = 1024;        // places at which density and noise are measured
 constexpr std::size_t kExtentSample = 65536;  // points that give the extent's percentiles
+// The smallest voxels, in spacings: the samples of one view lie the further apart the further away,
+// those of a map evenly.
+constexpr double kViewVoxel = 1.5, kMapVoxel = 1.05;
 constexpr float kWantedNeighbours = 24;  // points that a place should see: enough to fit a plane
 
 std::vector<std::uint32_t> finite_indices(const PointCloud& cloud) {
@@ -40,6 +46,17 @@ std::vector<std::uint32_t> every(const std::vector<std::uint32_t>& indices, std:
   std::vector<std::uint32_t> sample(count);
   for (std::size_t i = 0; i < count; ++i) sample[i] = indices[i * indices.size() / count];
   return sample;
+}
+
+// Each position once: in a heap of equal points all places would see the same.
+std::vector<std::uint32_t> distinct(const PointCloud& cloud, std::vector<std::uint32_t> indices) {
+  const auto position = [&](std::uint32_t i) {
+    const Eigen::Vector3f& p = cloud.positions[i];
+    return std::array{p.x(), p.y(), p.z()};
+  };
+  std::set<std::array<float, 3>> known;
+  std::erase_if(indices, [&](std::uint32_t i) { return !known.insert(position(i)).second; });
+  return indices;
 }
 
 struct Percentiles {
@@ -101,33 +118,50 @@ PlaceIndex index_places(const PointCloud& cloud, const std::vector<std::uint32_t
   return index;
 }
 
+struct Hit {
+  std::uint32_t place, point;
+};
+constexpr std::size_t kChunk = 65536;  // fixed, joined in order: sums do not depend on threads
+
+// What the places see of one chunk of the points. A place that sees thousands of points of one
+// chunk stands in a heap of equal ones: that is counted no further, or heaps would take all memory.
+std::vector<Hit> find_hits(const PointCloud& cloud, std::span<const std::uint32_t> points,
+                           const std::vector<std::uint32_t>& places, const PlaceIndex& index,
+                           const Eigen::Vector3f& low, float radius) {
+  constexpr std::uint32_t kMostSeen = 8192;
+  std::vector<Hit> hits;
+  std::vector<std::uint32_t> seen(places.size(), 0);
+  for (const std::uint32_t i : points) {
+    const Eigen::Vector3f& p = cloud.positions[i];
+    const std::uint32_t cell = index.cells.find(cell_key(p, low, 1 / radius, 0, 0, 0));
+    if (cell == BlockMap::kAbsent) continue;
+    for (const std::uint32_t place : index.places[cell]) {
+      const float distance = (p - cloud.positions[places[place]]).squaredNorm();
+      if (distance <= radius * radius && ++seen[place] <= kMostSeen) hits.push_back({place, i});
+    }
+  }
+  return hits;
+}
+
 // What each place sees within the radius: moments about the place.
 std::vector<Moments> look_around(const PointCloud& cloud, const std::vector<std::uint32_t>& finite,
                                  const std::vector<std::uint32_t>& places,
                                  const Eigen::Vector3f& low, float radius) {
   const PlaceIndex index = index_places(cloud, places, low, radius);
-  struct Hit {
-    std::uint32_t place, point;
-  };
-  constexpr std::size_t kChunk =
-      65536;  // fixed chunks, joined in order: sums do not depend on threads
-  std::vector<std::vector<Hit>> hits((finite.size() + kChunk - 1) / kChunk);
-  tbb::parallel_for(std::size_t{0}, hits.size(), [&](std::size_t chunk) {
-    const std::size_t end = std::min(finite.size(), (chunk + 1) * kChunk);
-    for (std::size_t i = chunk * kChunk; i < end; ++i) {
-      const Eigen::Vector3f& p = cloud.positions[finite[i]];
-      const std::uint32_t cell = index.cells.find(cell_key(p, low, 1 / radius, 0, 0, 0));
-      if (cell == BlockMap::kAbsent) continue;
-      for (const std::uint32_t place : index.places[cell]) {
-        const float distance = (p - cloud.positions[places[place]]).squaredNorm();
-        if (distance <= radius * radius) hits[chunk].push_back({place, finite[i]});
-      }
-    }
-  });
+  constexpr std::size_t kGroup = 8 * kChunk;  // hits of so many points are kept at a time
   std::vector<Moments> seen(places.size());
-  for (const auto& chunk : hits) {
-    for (const Hit& hit : chunk) {
-      seen[hit.place].add(cloud.positions[hit.point] - cloud.positions[places[hit.place]]);
+  for (std::size_t begin = 0; begin < finite.size(); begin += kGroup) {
+    const std::size_t size = std::min(kGroup, finite.size() - begin);
+    std::vector<std::vector<Hit>> hits((size + kChunk - 1) / kChunk);
+    tbb::parallel_for(std::size_t{0}, hits.size(), [&](std::size_t chunk) {
+      const auto first = finite.begin() + static_cast<std::ptrdiff_t>(begin + chunk * kChunk);
+      const auto last = finite.begin() +
+                        static_cast<std::ptrdiff_t>(begin + std::min(size, (chunk + 1) * kChunk));
+      hits[chunk] = find_hits(cloud, {first, last}, places, index, low, radius);
+    });
+    for (const auto& chunk : hits) {
+      for (const Hit& hit : chunk)
+        seen[hit.place].add(cloud.positions[hit.point] - cloud.positions[places[hit.place]]);
     }
   }
   return seen;
@@ -234,7 +268,7 @@ CloudScale measure_scale(const PointCloud& cloud) {
   const Percentiles box = find_percentiles(cloud, sample);
   scale.extent = box.high - box.low;
 
-  const std::vector<std::uint32_t> queries = every(finite, kQueries);
+  const std::vector<std::uint32_t> queries = distinct(cloud, every(finite, kQueries));
   const auto look = [&](float radius) {
     return look_around(cloud, finite, queries, box.low, radius);
   };
@@ -253,7 +287,9 @@ CloudScale measure_scale(const PointCloud& cloud) {
   scale.spacing = double(spacing);
   scale.noise = std::max(double(noise), depth_noise(cloud, queries));
   find_ranges(cloud, finite, queries, seen, scale);
-  scale.connected_voxel = find_connected_voxel(cloud, 1.5 * scale.spacing, scale);
+  const bool map = !cloud.organised() && scale.median_range == 0;
+  scale.connected_voxel =
+      find_connected_voxel(cloud, (map ? kMapVoxel : kViewVoxel) * scale.spacing, scale);
   return scale;
 }
 

@@ -20,6 +20,7 @@ cmake --build "$work/build" 2>&1 | tail -n 20
 grep -q '^plane ' "$work/out"
 grep -q '^segment   1 ' "$work/out"
 "$work/build/explain_edges" | grep -q '^same_plane'
+"$work/build/track_walk" | grep -q '^frame [0-9]*: new 1$'
 if [[ -x $work/prefix/bin/planescope ]]; then  # drawing was built: it is in the package too
   "$work/build/draw_room" "$work/room.png"
   [[ -s $work/room.png ]]

@@ -9,7 +9,6 @@
 
 #include "planes/energy.hpp"
 #include "planes/hypotheses.hpp"
-#include "planes/plane_fit.hpp"
 #include "planes/random.hpp"
 #include "planes_fixtures.hpp"
 #include "planescope/planes.hpp"
@@ -99,35 +98,6 @@ TEST(NormalGate, AnEmptySliceThroughFourWallsIsNoPlane) {
   EXPECT_EQ(count(index.inliers(slice)), 80u);  // a ring of 20 patches on each wall
   slice.gate = 0.8f;
   EXPECT_EQ(count(index.inliers(slice)), 0u);
-}
-
-TEST(FitPlane, RecoversATiltedPlaneAndIgnoresWhatIsNearby) {
-  PatchGraphBuilder scene(0.1f, 0.002f, 0.05f, 3);
-  const V normal = V(0.1f, -0.2f, 1).normalized();
-  scene.rectangle(V(1, 1, 2), 2 * normal.cross(V::UnitX()).normalized(),
-                  2 * normal.cross(normal.cross(V::UnitX())).normalized());
-  const PatchIndex index(scene.finish().patches);
-  const Plane start{V(0, 0, 1), 2};
-  const Bits all = index.inliers({.plane = start, .half_width = 10, .gate = 0});
-  Plane plane = fit_plane(index, all, start, 10);
-  for (int step = 0; step < 5; ++step) plane = fit_plane(index, all, plane, 0.05);
-  EXPECT_LT(degrees_between(plane.normal, normal), 0.1);
-  EXPECT_NEAR(plane.distance, normal.dot(V(1, 1, 2)), 0.002);
-}
-
-TEST(FitPlane, GoesByTheNormalsWhereCentroidsFixNoPlane) {
-  PatchGraph line;
-  for (int i = 0; i < 10; ++i) {
-    Patch patch;
-    patch.centroid = {0.1f * static_cast<float>(i), 0, 1};
-    patch.normal = V(0, 0.6f, i % 2 == 0 ? 0.8f : -0.8f);
-    if (i % 2 != 0) patch.normal.y() = -0.6f;  // the same plane from behind
-    line.patches.push_back(patch);
-  }
-  const PatchIndex index(line.patches);
-  const Plane start{V(0, 0, 1), 1};
-  const Bits all = index.inliers({.plane = start, .half_width = 1, .gate = 0});
-  EXPECT_LT(degrees_between(fit_plane(index, all, start, 0.05).normal, V(0, 0.6f, 0.8f)), 0.1);
 }
 
 TEST(SupportThreshold, IsAnAreaInPatchesThatASurfaceLiesIn) {

@@ -16,26 +16,6 @@ Eigen::Vector3f random_point(Uniform& uniform) {
   return {uniform() - 0.5f, uniform() - 0.5f, uniform() - 0.5f};
 }
 
-TEST(Moments, ShiftedSumsEqualDirectSums) {
-  Uniform uniform(7);
-  const Eigen::Vector3f d(0.3f, -0.2f, 0.1f);
-  Moments direct, part, shifted;
-  for (int i = 0; i < 20; ++i) {
-    const Eigen::Vector3f q = random_point(uniform);
-    part.add(q);
-    direct.add(q + d);
-  }
-  shifted.add_shifted(part, d);
-  EXPECT_EQ(shifted.count, direct.count);
-  EXPECT_LT((shifted.first - direct.first).norm(), 1e-5f);
-  EXPECT_NEAR(shifted.xx, direct.xx, 1e-5);
-  EXPECT_NEAR(shifted.xy, direct.xy, 1e-5);
-  EXPECT_NEAR(shifted.xz, direct.xz, 1e-5);
-  EXPECT_NEAR(shifted.yy, direct.yy, 1e-5);
-  EXPECT_NEAR(shifted.yz, direct.yz, 1e-5);
-  EXPECT_NEAR(shifted.zz, direct.zz, 1e-5);
-}
-
 TEST(PrincipalPlane, AgreesWithEigensIterativeSolver) {
   Uniform uniform(11);
   for (int trial = 0; trial < 500; ++trial) {

@@ -208,5 +208,32 @@ TEST(GeometryFiles, that_are_damaged_or_belong_elsewhere_are_refused) {
   EXPECT_TRUE(refused("patches.vtp", testing::read_bytes(elsewhere / "patches.vtp")));
 }
 
+TEST(GeometryFiles, spoilt_anywhere_are_taken_or_refused_in_words) {
+  const ToyScene toy = toy_room(0.05F, 0.3F);
+  const SceneData memory = scene_data(toy.scene, toy.cloud);
+  const TemporaryFolder folder;
+  save_geometry(toy.scene, toy.cloud, folder.path());
+  const std::string whole = testing::read_bytes(folder / "graph.vtp");
+  std::mt19937_64 random(5);
+  int refused = 0;
+  for (int trial = 0; trial < 600; ++trial) {
+    std::string spoilt = whole;
+    // Half of them in the XML, the rest anywhere.
+    const std::size_t range = trial % 2 == 0 ? whole.find('_') : whole.size();
+    for (std::uint64_t k = random() % 3 + 1; k > 0; --k)
+      spoilt[random() % range] =
+          trial % 4 < 2 ? static_cast<char>('0' + random() % 10) : static_cast<char>(random());
+    if (trial % 10 == 9) spoilt.resize(random() % whole.size());
+    testing::write_bytes(folder / "graph.vtp", spoilt);
+    try {
+      add_geometry(memory.result, folder.path());
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), Error::Kind::Input) << error.what();
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 300);
+}
+
 }  // namespace
 }  // namespace planescope::draw

@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 
+#include "patches/occupancy.hpp"
 #include "patches/voxel_blocks.hpp"
 #include "patches/voxel_grid.hpp"
 #include "planescope/error.hpp"
@@ -96,6 +97,17 @@ TEST(VoxelGrid, SameAtAnyNumberOfThreads) {
   EXPECT_EQ(one.mean, two.mean);
   EXPECT_EQ(one.color, two.color);
   EXPECT_EQ(one.mean, four.mean);
+}
+
+TEST(Occupancy, SameHoweverManyPartsAThreadMakes) {
+  const PointCloud cloud = random_cloud(60000);
+  std::vector<std::uint32_t> one_part, many_parts;
+  const GridBounds bounds{Eigen::Vector3f::Zero(), Eigen::Vector3f::Constant(1e9f)};
+  const VoxelBlocks one = find_occupied(cloud, bounds, 100, one_part);
+  const VoxelBlocks many = find_occupied(cloud, bounds, 100, many_parts, 10);
+  EXPECT_EQ(one_part, many_parts);
+  EXPECT_EQ(one.keys, many.keys);
+  EXPECT_EQ(one.voxel_count, many.voxel_count);
 }
 
 TEST(VoxelGrid, RefusesWhatHasNoGrid) {

@@ -20,9 +20,10 @@ enum class EdgeRule : std::uint8_t {
   SamePlane,        ///< ON: both patches lie on the same supporting plane
   DifferentPlanes,  ///< OFF: they lie on two
   PlaneBoundary,    ///< OFF: one lies on a plane, the other on none
-  Convex,           ///< ON: neither on a plane, the surface bends away from the viewer
+  Convex,           ///< ON: neither on a plane, the surface bends away from the viewer, or they
+                    ///< are the two sides of a board
   NearlyFlat,       ///< ON: concave, by less than the tolerance
-  Concave,          ///< OFF: concave
+  Concave,          ///< OFF: concave, or facing each other across a gap
   Singular,         ///< OFF: the patches touch in one place only (LCCP's sanity criterion)
   Step,             ///< OFF: a step between parallel surfaces (LCCP's smoothness)
   NoSupport,        ///< OFF: convex, but no common neighbour is convex to both (extended convexity)
@@ -44,7 +45,10 @@ struct Edge {
   float singular_angle = 0;  ///< [deg] between d and n_i x n_j, in [0, 90]
   float singular_limit = 0;  ///< [deg] below it the edge is singular
   float step = 0;  ///< [m] step: the smaller of |d . n_i|, |d . n_j| times the centroids' distance
-  float step_limit = 0;       ///< [m] beyond it the edge is a step
+  float step_limit = 0;  ///< [m] beyond it the edge is a step
+  /// [m] how far the patches lie in front of each other, -convexity / 2 times the centroids'
+  /// distance: negative back to back
+  float facing = 0;
   std::uint32_t support = 0;  ///< common neighbours that are convex to both
   /// How far the deciding value lay from its threshold, as a fraction of the threshold; 0 is
   /// undecided. For the plane rules: the smaller `plane_margin` of the two patches.

@@ -21,12 +21,20 @@ class Error : public std::runtime_error {
     Mismatch = 6,     ///< compared or batched, and found wanting
   };
 
-  Error(Kind kind, const std::string& message) : std::runtime_error(message), kind_(kind) {}
+  /// Control characters, which names and words from files may hold, become blanks.
+  Error(Kind kind, const std::string& message)
+      : std::runtime_error(one_line(message)), kind_(kind) {}
 
   Kind kind() const noexcept { return kind_; }
   int exit_code() const noexcept { return static_cast<int>(kind_); }
 
  private:
+  static std::string one_line(std::string text) {
+    for (char& c : text)
+      if (static_cast<unsigned char>(c) < 32 || c == 127) c = ' ';
+    return text;
+  }
+
   Kind kind_;
 };
 

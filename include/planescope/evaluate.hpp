@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "planescope/cloud.hpp"
 #include "planescope/planes.hpp"
 #include "planescope/synthesize.hpp"
 
@@ -128,5 +129,18 @@ struct PlaneScores {
 /// is 1. \param found,truth relative to the same origin.
 PlaneScores score_planes(std::span<const Plane> found, std::span<const TruePlane> truth,
                          const PlaneTolerance& tolerance = {});
+
+/// Labels of another cloud of the same place, by the nearest point.
+struct NearestLabels {
+  std::vector<std::uint32_t> labels;  ///< per point; 0 where none is within the distance
+  double mean_distance = 0;           ///< [m] of the points that have one
+  std::size_t beyond = 0;             ///< finite points that have none
+};
+
+/// Gives each point the label of the nearest point of `truth` (of equally near ones the first): for
+/// maps that were fused from frames, whose points are not those of the truth.
+/// \param max_distance [m] further points do not count. \throws Error{Kind::Input} the truth has no
+/// labels; Error{Kind::Usage} the distance is not positive.
+NearestLabels nearest_labels(const PointCloud& truth, const PointCloud& cloud, double max_distance);
 
 }  // namespace planescope

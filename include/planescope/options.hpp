@@ -28,6 +28,11 @@ struct PatchOptions {
   /// whose samples lie the further apart the further away they are. The sensor is where the cloud
   /// says, else at (0, 0, 0) of its own coordinates.
   double range_exponent = 0.0;
+  /// [m] edge of the smallest cells in which points are projected onto their surroundings' plane
+  /// before anything else, about the noise; 0: they are taken as they are. For maps put together
+  /// without fusion, whose points scatter across the surface more widely than they lie apart along
+  /// it. Only patches are made of the projected points; results keep the points as they were.
+  double smoothing = 0.0;
   double weight_color = 0.0;    ///< [1] growth: weight of the colour distance
   double weight_spatial = 1.0;  ///< [1] growth: weight of the distance in units of patch_size
   double weight_normal = 4.0;   ///< [1] growth: weight of 1 - |n . n'|
@@ -54,7 +59,9 @@ struct PlaneOptions {
   double sigma = 0.05;    ///< [m] inlier distance r(c_i, p) < sigma
   double min_area = 0.5;  ///< [m^2] lambda of eq. (4) as an area: lambda = min_area / area-weighted
                           ///< median patch area
-  double alpha = 10.0;    ///< [deg] tolerance of the angle to parallel or orthogonal in eq. (6)
+  /// [m^2] smallest planar face of an object (see SupportingPlane::role); 0: none are looked for
+  double face_area = 0.1;
+  double alpha = 10.0;  ///< [deg] tolerance of the angle to parallel or orthogonal in eq. (6)
   double normal_gate =
       0.8;  ///< [1] inliers need |n_i . n_p| of at least this; 0 switches the gate off
   double max_curvature = 0.05;  ///< [1] only flatter patches propose a plane
@@ -82,6 +89,10 @@ struct EdgeOptions {
   /// [deg] upper end of LCCP's sanity criterion; 0 switches it off. Differs from LCCP, which has
   /// 60: at the sharp folds of boxes that refuses half of the edges.
   double singular_angle = 40.0;
+  /// [deg] patches whose normals lie further apart are the two sides of a board or rim: ON if back
+  /// to back, OFF if they face each other across a gap. LCCP has no such rule, and decides by the
+  /// intersection of two nearly parallel planes, which is noise. 180 switches it off.
+  double rim_angle = 120.0;
   /// A convex edge needs a common neighbour that is convex to both. Differs from LCCP, which needs
   /// it against leaks to the supporting surface: here the planes have cut those, and objects a few
   /// patches wide lack such neighbours.
@@ -126,9 +137,9 @@ struct CloudScale {
   /// views at least that of a structured-light camera at the median depth, 1.4 mm z^2 (Khoshelham
   /// and Elberink, Sensors 2012), because steps of depth look flat from near by.
   double noise = 0;
-  /// [m] smallest voxel, from 1.5 spacings up, at which an occupied voxel has 5 occupied neighbours
-  /// on average (8 are a filled plane): scan lines far apart along and across need more than their
-  /// density says.
+  /// [m] smallest voxel, from 1.05 spacings up (views: 1.5), at which an occupied voxel has 5
+  /// occupied neighbours on average (8 are a filled plane): scan lines far apart along and across
+  /// need more than their density says.
   double connected_voxel = 0;
   /// [m] median distance from the sensor, where the cloud was seen from one place: an organised
   /// view, or a list of points whose density falls with the distance from the sensor (else the
@@ -141,6 +152,10 @@ struct CloudScale {
 /// Measures the scale on a fixed sample of the cloud's points.
 /// \throws Error{Kind::Input} no finite point.
 CloudScale measure_scale(const PointCloud& cloud);
+
+/// What is likely wrong where the options do not fit the cloud: voxels smaller than the spacing,
+/// millimetres taken for metres. Empty where nothing is.
+std::string scale_warning(const CloudScale& scale, const Options& options);
 
 /// One line of option_table().
 struct OptionInfo {

@@ -44,6 +44,7 @@ struct PatchGraph {
   std::vector<std::int32_t> point_patch;  ///< per point of the cloud: patch id, or kNone
   float voxel_size = 0;                   ///< R_voxel [m] that made them
   float patch_size = 0;                   ///< R_seed [m] that made them
+  std::size_t stray_points = 0;           ///< finite, but too far from all others to be in a patch
 };
 
 /// Neighbours of every patch in compressed rows: those of patch i are
@@ -61,7 +62,8 @@ NeighbourTable make_neighbour_table(std::size_t patch_count,
 /// patches from seeds at distance `patch_size` over adjacent voxels (VCCS, Papon et al., CVPR
 /// 2013). Every finite point ends in a patch or, if no seed reaches its voxel, in kNone. Normals
 /// point to the cloud's sensor where it is known, else agree with given normals, else are made
-/// consistent over the graph and turned to the inside of the scene. Same patches at any thread
+/// consistent over the graph and turned to the inside of the scene. A few points so far away that
+/// the grid would not hold them are left out, and counted. Same patches at any thread
 /// count. \throws Error{Kind::Input} no finite point. \throws Error{Kind::Computation} the extent
 /// is more than 2^21 voxels along an axis.
 PatchGraph make_patches(const PointCloud& cloud, const PatchOptions& options,

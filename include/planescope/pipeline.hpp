@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,10 +18,17 @@
 /// \file The whole method: one call a stage, every stage's result kept.
 namespace planescope {
 
-/// A supporting plane of the scene, refitted to the patches assigned to it.
+/// What a plane does to the graph.
+enum class PlaneRole : std::uint8_t {
+  Support,  ///< selected by the energy of Section IV: edges to other planes and to things are OFF
+  Face,  ///< of an object (planes.face_area): it cuts nothing, but gives its patches their normal
+};
+
+/// A plane of the scene, refitted to the patches assigned to it.
 struct SupportingPlane {
   Plane plane;
-  std::uint32_t hypothesis = 0;  ///< index into PlaneSelection::hypotheses
+  PlaneRole role = PlaneRole::Support;
+  std::uint32_t hypothesis = 0;  ///< index into PlaneSelection::hypotheses; 0 for a face
   std::uint32_t patch_count = 0;
   std::uint32_t point_count = 0;
   float area = 0;  ///< [m^2] of its patches
@@ -44,6 +52,12 @@ struct MethodInfo {
   bool is_ours() const { return name == "ours"; }
 };
 
+/// `plane` for a supporting plane, `face` for an object's.
+std::string_view name(PlaneRole role);
+
+/// How many of the planes have that role.
+std::size_t count_planes(const std::vector<SupportingPlane>& planes, PlaneRole role);
+
 /// Everything that segment() found out about a cloud.
 struct Segmentation {
   MethodInfo method;
@@ -51,13 +65,21 @@ struct Segmentation {
   PatchGraph graph;          ///< III-A
   PlaneSelection selection;  ///< IV-A, IV-B
   std::vector<SupportingPlane>
-      planes;  ///< supporting planes that have patches, by area, descending
-  std::vector<PatchPlane> patch_plane;  ///< IV-C, per patch: index into planes, or kNone
-  std::vector<Edge> edges;              ///< III-B, in the order of graph.adjacency
+      planes;  ///< supporting planes that have patches, by area, descending; then faces likewise
+  std::vector<PatchPlane> patch_plane;  ///< IV-C, per patch: supporting plane, or kNone
+  std::vector<std::int32_t>
+      patch_face;           ///< per patch: face, as index into planes, or kNone; or empty
+  std::vector<Edge> edges;  ///< III-B, in the order of graph.adjacency
   SegmentSet segments;
   std::vector<std::uint32_t> point_label;  ///< per point of the cloud: segment label, or kNoSegment
-  std::vector<std::int32_t> point_plane;   ///< per point of the cloud: index into planes, or kNone
+  std::vector<std::int32_t> point_plane;   ///< per point: index into planes, face or not, or kNone
   StageTimes times;
+
+  /// The plane that a patch lies on, supporting or face, or kNone.
+  std::int32_t plane_of(std::size_t patch) const {
+    if (patch_plane[patch].plane != kNone || patch_face.empty()) return patch_plane[patch].plane;
+    return patch_face[patch];
+  }
 };
 
 /// Runs the method on a cloud.

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,6 +37,11 @@ std::string hash_text(std::string_view text);
 void save(const Segmentation& scene, const PointCloud& cloud, const std::filesystem::path& folder,
           const InputInfo& input = {});
 
+/// Ties files that were put beside result.json to it: their hashes go into it as `files`, and who
+/// reads them back can tell that they are whole and of this result (check_file()).
+/// \throws Error{Kind::Input} result.json or one of the files cannot be read or written.
+void add_files(const std::filesystem::path& folder, const std::vector<std::string>& names);
+
 /// A stored result as drawing and scoring need it.
 struct Result {
   MethodInfo method;
@@ -52,11 +58,15 @@ struct Result {
   std::string input_name;
   std::string input_hash;    ///< InputInfo::hash
   std::string options_hash;  ///< hash_text() of the options as result.json has them, keys sorted
-  double voxel_size = 0, patch_size = 0;  ///< [m]
+  double voxel_size = 0, patch_size = 0;           ///< [m]
+  std::map<std::string, std::string> file_hashes;  ///< by name, of add_files(); not in memory
 };
 
 /// The same view of a result that is still in memory.
 Result make_result(const Segmentation& scene, const PointCloud& cloud, const InputInfo& input = {});
+
+/// \throws Error{Kind::Input} result.json tells of `name`, and it is not the file in `folder`.
+void check_file(const Result& result, const std::filesystem::path& folder, const std::string& name);
 
 /// Reads result.json and points.pcd back. The folder is untrusted: every index is checked.
 /// \throws Error{Kind::Input} missing, malformed, of another schema version, or files that do not

@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include "planescope/cloud.hpp"
+#include "planescope/options.hpp"
 #include "planescope/planes.hpp"
 
 /// \file Seeded indoor scenes with ground truth: what tests, benchmarks and the quick start run on.
@@ -64,6 +65,18 @@ struct SynthesizedScene {
 /// Same options, same bytes, at any number of threads.
 /// \throws Error{Kind::Usage} a value is out of range.
 SynthesizedScene synthesize(const SynthesisOptions& options);
+
+inline constexpr std::uint32_t kMostFrames = 10'000;  ///< of write_sequence()
+
+/// What a depth camera sees that is carried through the room of synthesize(): `frames` depth images
+/// (PNG, millimetres) and colour images with exact poses, as an RGB-D sequence in the layout of
+/// Redwood: depth/, image/, camera.txt, trajectory.log, in `folder`, which is made where it is
+/// missing. Noise and lost returns are those of views. Same options, same bytes.
+/// \returns the room itself, sampled evenly and without noise (options.points), for comparison with
+/// what is fused from the frames; and its planes, with the area that the frames saw.
+/// \throws Error{Kind::Usage} a value is out of range; Error{Kind::Input} it cannot be written.
+SynthesizedScene write_sequence(const SynthesisOptions& options, std::uint32_t frames,
+                                const std::filesystem::path& folder, const Progress& progress = {});
 
 /// Writes what synthesize() knows beside the cloud: objects and planes as JSON, whole or not at
 /// all. \throws Error{Kind::Input} the folder is missing or cannot be written.

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 class Descriptor {
  public:
   Descriptor(const fs::path& file, int flags)
-      : value_(::open(file.c_str(), flags | O_CLOEXEC, 0644)) {
+      : value_(::open(file.c_str(), flags | O_CLOEXEC | O_NOFOLLOW, 0644)) {
     if (value_ >= 0) return;
     throw Error(Error::Kind::Input, file.string() + ": cannot be opened: " + std::strerror(errno) +
                                         "; is the output folder writable?");
@@ -47,6 +47,11 @@ class Descriptor {
     const rlimit limit{memory_mb << 20, memory_mb << 20};
     ::setrlimit(RLIMIT_DATA, &limit);
   }
+  sigset_t none;
+  sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);  // ours are not the child's business
+  ::signal(SIGPIPE, SIG_DFL);
+  ::signal(SIGXFSZ, SIG_DFL);
   const rlimit no_core{0, 0};
   ::setrlimit(RLIMIT_CORE, &no_core);
   ::dup2(in, STDIN_FILENO);
@@ -66,20 +71,41 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 ChildProcess::ChildProcess(const std::vector<std::string>& words, const fs::path& out,
                            const fs::path& err, const ChildLimits& limits)
-    : start_(std::chrono::steady_clock::now()), limits_(limits) {
+    : start_(std::chrono::steady_clock::now()), limits_(limits), undo_([this] { ask_to_end(); }) {
+  start(words, out, err);
+}
+
+void ChildProcess::start(const std::vector<std::string>& words, const fs::path& out,
+                         const fs::path& err) {
   constexpr int kWrite = O_WRONLY | O_CREAT | O_TRUNC;
   const Descriptor in("/dev/null", O_RDONLY), to(out, kWrite), errors(err, kWrite);
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
+  const EndingPause known;  // no child that ask_to_end() does not know of
   const pid_t parent = ::getpid();
   pid_ = ::fork();
   if (pid_ == 0)
-    become(arguments.data(), in.value(), to.value(), errors.value(), limits.memory_mb, parent);
+    become(arguments.data(), in.value(), to.value(), errors.value(), limits_.memory_mb, parent);
   if (pid_ < 0)
     throw Error(Error::Kind::Computation, std::string("no process for a scene: ") +
                                               std::strerror(errno) + "; take fewer --jobs");
   ::setpgid(pid_, pid_);  // here too: whoever comes first
+}
+
+/// It may have files to put away, so it is asked before it is killed; others than ours may not
+/// listen.
+void ChildProcess::ask_to_end() const {
+  if (pid_ < 0 || end_) return;
+  ::kill(-pid_, SIGTERM);
+  for (int tries = 0; tries < 100; ++tries) {
+    siginfo_t info{};
+    if (::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) != 0) return;
+    if (info.si_pid == pid_) return;
+    ::usleep(20'000);
+  }
+  ::kill(-pid_, SIGKILL);
 }
 
 ChildProcess::~ChildProcess() {
@@ -90,6 +116,7 @@ ChildProcess::~ChildProcess() {
 }
 
 std::optional<ChildEnd> ChildProcess::poll() {
+  const EndingPause known;
   if (end_) return end_;
   if (limits_.seconds > 0 && !timed_out_ && seconds_since(start_) > limits_.seconds) {
     timed_out_ = true;

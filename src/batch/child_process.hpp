@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "io/ending.hpp"
+
 /// \file A program that runs beside this one and cannot take it down.
 namespace planescope {
 
@@ -48,6 +50,9 @@ class ChildProcess {
   std::optional<ChildEnd> poll();
 
  private:
+  void start(const std::vector<std::string>& words, const std::filesystem::path& out,
+             const std::filesystem::path& err);
+  void ask_to_end() const;
   void reap(int status, double peak_memory_mb);
 
   pid_t pid_ = -1;
@@ -55,6 +60,7 @@ class ChildProcess {
   ChildLimits limits_;
   bool timed_out_ = false;
   std::optional<ChildEnd> end_;
+  EndingAction undo_;
 };
 
 }  // namespace planescope

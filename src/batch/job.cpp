@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "batch/job.hpp"
 
-#include <fstream>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "io/whole_file.hpp"
+#include "json_file.hpp"
 #include "planescope/error.hpp"
 #include "planescope/result.hpp"
 
@@ -15,6 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 constexpr int kPlanSchema = 1;
+constexpr std::size_t kMaxMethods = 64;
+constexpr const char* kHint = "name the folder of a batch, or run it again";
 
 std::string dump(const Json& json) {
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";  // names need no UTF-8
@@ -74,22 +77,31 @@ void write_plan(const BatchPlan& plan, const fs::path& folder) {
 }
 
 StoredPlan read_plan(const fs::path& folder) try {
-  std::ifstream in(folder / "batch.json");
-  const Json all = Json::parse(in);
+  const nlohmann::json all = read_json(folder / "batch.json", kHint);
   if (all.at("schema") != kPlanSchema) throw std::out_of_range("schema");
   StoredPlan plan;
-  for (const Json& method : all.at("methods")) plan.methods.push_back(method.at("name"));
-  for (const Json& scene : all.at("scenes")) {
+  for (const auto& method : all.at("methods")) plan.methods.push_back(method.at("name"));
+  if (plan.methods.size() > kMaxMethods) throw std::out_of_range("methods");
+  for (const auto& scene : all.at("scenes")) {
     plan.scenes.push_back(scene.at("name"));
-    for (const Json& method : all.at("methods")) {
+    for (const auto& method : all.at("methods")) {
       plan.jobs.push_back({plan.scenes.back(), method.at("name"), method.at("settings_key")});
     }
   }
+  if (!std::ranges::all_of(plan.scenes, is_folder_name) ||
+      !std::ranges::all_of(plan.methods, is_folder_name))
+    throw std::out_of_range("names");
   return plan;
+} catch (const Error&) {
+  throw;
 } catch (const std::exception&) {
-  throw Error(Error::Kind::Input, (folder / "batch.json").string() +
-                                      ": missing or malformed; name the folder of a batch, or run "
-                                      "it again");
+  throw Error(Error::Kind::Input,
+              (folder / "batch.json").string() + ": malformed; " + std::string(kHint));
+}
+
+bool is_folder_name(const std::string& name) {
+  return !name.empty() && !name.starts_with('.') && name.find('/') == std::string::npos &&
+         name.find('\0') == std::string::npos;
 }
 
 fs::path job_folder(const fs::path& folder, const std::string& scene, const std::string& method) {
@@ -107,19 +119,21 @@ void write_record(const JobRecord& record, const fs::path& job_folder) {
 }
 
 std::optional<JobRecord> read_record(const fs::path& job_folder) try {
-  std::ifstream in(job_folder / "job.json");
-  if (!in) return std::nullopt;
-  const Json all = Json::parse(in);
+  std::error_code ignored;
+  if (!fs::exists(job_folder / "job.json", ignored)) return std::nullopt;
+  const nlohmann::json all = read_json(job_folder / "job.json", kHint);
   return JobRecord{all.at("settings_key"), all.at("input_key"),      all.at("done"),
                    all.at("reason"),       all.at("peak_memory_mb"), all.at("measures")};
-} catch (const Json::exception&) {
+} catch (const std::exception&) {  // a record that cannot be read is none: the job is done again
   return std::nullopt;
 }
 
 std::string input_key(const BatchScene& scene) {
   std::string key = hash_regular(scene.file);
-  key += "-" + (scene.truth == scene.file ? "same" : hash_regular(scene.truth));
-  return key + "-" + hash_regular(scene.truth_planes);
+  key += '-';
+  key += scene.truth == scene.file ? "same" : hash_regular(scene.truth);
+  key += '-';
+  return key + hash_regular(scene.truth_planes);
 }
 
 }  // namespace planescope

@@ -53,6 +53,10 @@ struct JobRecord {
   MeasureValues values;
 };
 
+/// Whether a scene or method may name a folder: one word that is neither hidden nor leads
+/// elsewhere.
+bool is_folder_name(const std::string& name);
+
 /// `folder`/`scene`/`method`.
 std::filesystem::path job_folder(const std::filesystem::path& folder, const std::string& scene,
                                  const std::string& method);

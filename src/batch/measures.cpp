@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "batch/measures.hpp"
 
-#include <fstream>
-#include <nlohmann/json.hpp>
-
+#include "json_file.hpp"
 #include "planescope/error.hpp"
 
 namespace planescope {
@@ -12,13 +10,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-Json read_json(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  const Json json = Json::parse(in, nullptr, false);
-  if (!in.is_open() || json.is_discarded())
-    throw Error(Error::Kind::Input, file.string() + ": missing or no JSON; run the batch again");
-  return json;
-}
+constexpr const char* kHint = "run the batch again";
 
 /// All but reading and writing.
 constexpr const char* kStages[] = {"patches",    "hypotheses", "selection",
@@ -54,7 +46,7 @@ MeasureValues read_measures(const std::filesystem::path& scores_json,
                             const std::filesystem::path& run_json) {
   MeasureValues values;
   if (!scores_json.empty()) {
-    const Json scores = read_json(scores_json);
+    const Json scores = read_json(scores_json, kHint);
     for (const Measure& measure : measures()) {
       if (measure.source.empty()) continue;
       const Json::json_pointer place(measure.source);
@@ -62,13 +54,13 @@ MeasureValues read_measures(const std::filesystem::path& scores_json,
         values[measure.key] = scores[place].get<double>();
     }
   }
-  const Json run = read_json(run_json);
+  const Json run = read_json(run_json, kHint);
   double time = 0;
   for (const char* stage : kStages) {
     const Json::json_pointer place(std::string("/timings_ms/") + stage);
     if (!run.contains(place) || !run[place].is_number())
-      throw Error(Error::Kind::Input, run_json.string() + ": has no time of the stage " + stage +
-                                          "; run the batch again");
+      throw Error(Error::Kind::Input,
+                  run_json.string() + ": has no time of the stage " + stage + "; " + kHint);
     time += run[place].get<double>();
   }
   values[kTimeMeasure] = time;

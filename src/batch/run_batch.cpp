@@ -22,14 +22,29 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-/// What is hidden in a job's folder is what a killed process left behind.
-void prepare_folder(const fs::path& folder) {
+/// A folder of ours is no link: what is written and removed in it must not be elsewhere.
+void refuse_link(const fs::path& folder) {
+  if (fs::is_symlink(fs::symlink_status(folder)))
+    throw Error(Error::Kind::Input, folder.string() +
+                                        ": is a link, and a batch follows none out of its folder; "
+                                        "remove it, or name another folder with -o");
+}
+
+void make_folder(const fs::path& folder) {
   std::error_code failure;
   fs::create_directories(folder, failure);
   if (!fs::is_directory(folder))
     throw Error(Error::Kind::Input, folder.string() + ": the folder cannot be made: " +
                                         failure.message() + "; name another with -o");
-  for (const char* name : {"job.json", "scores.json", "result.json", "run.json"})
+}
+
+/// What is hidden in a job's folder is what a killed process left behind.
+void prepare_folder(const fs::path& folder) {
+  refuse_link(folder.parent_path());
+  refuse_link(folder);
+  make_folder(folder);
+  for (const char* name :
+       {"job.json", "scores.json", "result.json", "run.json", "segment.log", "evaluate.log"})
     fs::remove(folder / name);
   std::vector<fs::path> left;
   for (const auto& file : fs::directory_iterator(folder))
@@ -57,6 +72,11 @@ std::string describe(const ChildEnd& end, const ChildLimits& limits, const fs::p
            ::strsignal(end.code) + ")";
   const std::string line = last_line(log);
   return "exit code " + std::to_string(end.code) + (line.empty() ? "" : ": " + line);
+}
+
+/// A file or folder as an argument that no program takes for an option.
+std::string as_argument(const fs::path& file) {
+  return file.string().starts_with('-') ? "./" + file.string() : file.string();
 }
 
 /// One scene by one method: `segment`, then `evaluate`, each a process.
@@ -117,7 +137,7 @@ class Job {
   std::vector<std::string> segment_words() const {
     const unsigned all = std::max(1U, std::thread::hardware_concurrency());
     std::vector<std::string> words = {"segment",
-                                      scene_.file.string(),
+                                      as_argument(scene_.file),
                                       "--output=" + folder_.string(),
                                       "--quiet",
                                       "--method=" + method_,
@@ -128,7 +148,7 @@ class Job {
   }
 
   std::vector<std::string> evaluate_words() const {
-    std::vector<std::string> words = {"evaluate", folder_.string(),
+    std::vector<std::string> words = {"evaluate", as_argument(folder_),
                                       "--truth=" + scene_.truth.string(), "--json"};
     if (!scene_.truth_planes.empty())
       words.push_back("--truth-planes=" + scene_.truth_planes.string());
@@ -173,7 +193,7 @@ class FolderLock {
   FolderLock(const fs::path& folder, const Shard& shard)
       : file_(folder / ("shard-" + std::to_string(shard.index) + "-of-" +
                         std::to_string(shard.count) + ".lock")),
-        descriptor_(::open(file_.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644)) {
+        descriptor_(::open(file_.c_str(), O_CREAT | O_RDWR | O_NOFOLLOW | O_CLOEXEC, 0644)) {
     if (descriptor_ >= 0 && ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
     const int why = errno;
     if (descriptor_ >= 0) ::close(descriptor_);
@@ -213,7 +233,7 @@ double BatchState::seconds_left() const {
 }
 
 BatchState run_batch(const BatchPlan& plan, const BatchRun& run, const BatchProgress& progress) {
-  fs::create_directories(run.folder);
+  make_folder(run.folder);
   const FolderLock lock(run.folder, run.shard);
   write_plan(plan, run.folder);
   Jobs waiting = jobs_of(plan, run), running;

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <map>
+#include <set>
 
 #include "planescope/error.hpp"
 
@@ -40,7 +41,8 @@ std::string trimmed(const std::string& text) {
 
 std::vector<BatchScene> read_list(const fs::path& file) {
   std::ifstream in(file);
-  if (!in || fs::is_directory(file))
+  std::error_code ignored;
+  if (!in || fs::is_directory(file, ignored))
     throw Error(Error::Kind::Input, file.string() + ": cannot be read as a list of scenes");
   std::vector<BatchScene> scenes;
   for (std::string line; std::getline(in, line);) {
@@ -57,15 +59,22 @@ std::vector<BatchScene> read_list(const fs::path& file) {
   return scenes;
 }
 
+/// A name of a folder: never hidden, and never "." or "..".
+std::string visible(const std::string& name) { return name.starts_with('.') ? "_" + name : name; }
+
 /// The name without its ending where that is unique, else the whole path as one word.
 void name_scenes(std::vector<BatchScene>& scenes) {
   std::map<std::string, int> uses;
-  for (const BatchScene& scene : scenes) ++uses[scene.file.stem().string()];
+  for (const BatchScene& scene : scenes) ++uses[visible(scene.file.stem().string())];
+  std::set<std::string> taken;
   for (BatchScene& scene : scenes) {
-    scene.name = scene.file.stem().string();
-    if (uses[scene.name] == 1) continue;
-    scene.name = fs::absolute(scene.file).lexically_normal().relative_path().string();
-    std::ranges::replace(scene.name, '/', '_');
+    scene.name = visible(scene.file.stem().string());
+    if (uses[scene.name] > 1) {
+      scene.name = fs::absolute(scene.file).lexically_normal().relative_path().string();
+      std::ranges::replace(scene.name, '/', '_');
+      scene.name = visible(scene.name);
+    }
+    while (!taken.insert(scene.name).second) scene.name += "_";  // a/b_c.ply and a_b/c.ply
   }
 }
 
@@ -100,13 +109,14 @@ Shard checked(std::uint32_t index, std::uint32_t count, const std::string& where
 
 std::vector<BatchScene> read_scenes(const std::vector<std::string>& arguments) {
   std::vector<BatchScene> all;
+  std::error_code ignored;  // names may be too long to be looked for
   const auto add = [&](BatchScene scene) {
     const auto same = [&](const BatchScene& other) { return other.file == scene.file; };
     if (std::ranges::none_of(all, same)) all.push_back(std::move(scene));
   };
   for (const std::string& argument : arguments) {
     const bool pattern = argument.find_first_of("*?[") != std::string::npos;
-    if (pattern && !fs::exists(argument)) {
+    if (pattern && !fs::exists(argument, ignored)) {
       for (const fs::path& file : expand(argument)) add({"", file, file, {}});
     } else if (is_cloud(argument)) {
       add({"", argument, argument, {}});
@@ -118,7 +128,7 @@ std::vector<BatchScene> read_scenes(const std::vector<std::string>& arguments) {
     throw Error(Error::Kind::Input, arguments.front() + ": names no scene; expected a line each");
   for (BatchScene& scene : all) {
     const fs::path planes = fs::path(scene.file).replace_extension(".truth.json");
-    if (fs::exists(planes)) scene.truth_planes = planes;
+    if (fs::exists(planes, ignored)) scene.truth_planes = planes;
   }
   name_scenes(all);
   return all;

@@ -25,7 +25,9 @@ Command add_evaluate(CLI::App& program);
 Command add_figure(CLI::App& program);
 Command add_compare(CLI::App& program);
 Command add_batch(CLI::App& program);
+Command add_reconstruct(CLI::App& program);
 Command add_synthesize(CLI::App& program);
+Command add_track(CLI::App& program);
 
 /// Runs the program. \returns the exit code; what goes wrong below is thrown.
 int run_program(int argc, char** argv);

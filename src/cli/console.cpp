@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 
@@ -48,11 +49,11 @@ void Console::declare(CLI::App& command) {
 }
 
 void Console::say(const std::string& line) const {
-  if (!quiet) std::fprintf(stderr, "%s\n", line.c_str());
+  if (!quiet) std::fprintf(stderr, "%s\n", printable(line).c_str());
 }
 
 void Console::detail(const std::string& line) const {
-  if (verbose) std::fprintf(stderr, "%s\n", line.c_str());
+  if (verbose) std::fprintf(stderr, "%s\n", printable(line).c_str());
 }
 
 Progress Console::progress() const {
@@ -60,6 +61,12 @@ Progress Console::progress() const {
   return [bar = std::make_shared<Bar>()](std::string_view stage, double fraction) {
     bar->show(stage, fraction);
   };
+}
+
+std::string printable(std::string text) {
+  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 32 || c == 127; };
+  std::ranges::replace_if(text, is_control, ' ');
+  return text;
 }
 
 std::string duration(double milliseconds) {

@@ -28,6 +28,10 @@ struct Console {
   Progress progress() const;
 };
 
+/// One line that no terminal takes for a command: control characters, which names of files may
+/// hold, become blanks.
+std::string printable(std::string text);
+
 /// `12.3 s`, `45 ms`: a duration for people.
 std::string duration(double milliseconds);
 

@@ -9,6 +9,7 @@
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
+#include "cli/memory.hpp"
 #include "cli/truth_arguments.hpp"
 #include "cli/values.hpp"
 #include "io/pcd_reader.hpp"
@@ -27,10 +28,11 @@ using Json = nlohmann::ordered_json;
 struct Arguments {
   Console console;
   TruthArguments counted;
+  LimitArguments limits;
   fs::path result, truth, truth_planes;
   std::string camera, pose;
   std::uint32_t splat = 0;
-  double require_overlap = 0;
+  double require_overlap = 0, nearest = 0;
 };
 
 /// What is scored.
@@ -50,8 +52,8 @@ struct Scores {
   std::optional<double> holes;  ///< share of the counted pixels that the projection left empty
 };
 
-PointCloud read_labelled(const fs::path& file) {
-  PointCloud cloud = read_cloud(file);
+PointCloud read_labelled(const fs::path& file, const ReadLimits& limits) {
+  PointCloud cloud = read_cloud(file, limits);
   if (!cloud.has_labels()) {
     throw Error(Error::Kind::Input,
                 file.string() + ": has no field `label`; name a cloud that has one");
@@ -68,7 +70,7 @@ Prediction read_prediction(const Arguments& a) {
     prediction.method = std::move(result.method);
     for (const SupportingPlane& plane : result.planes) prediction.planes.push_back(plane.plane);
   } else if (a.truth_planes.empty()) {
-    prediction.cloud = read_labelled(a.result);
+    prediction.cloud = read_labelled(a.result, a.limits.read());
     prediction.labels = prediction.cloud.labels;
   } else {
     throw Error(Error::Kind::Usage,
@@ -79,6 +81,17 @@ Prediction read_prediction(const Arguments& a) {
   return prediction;
 }
 
+/// Of another cloud of the same place.
+std::vector<std::uint32_t> read_nearest(const Arguments& a, const PointCloud& cloud) {
+  NearestLabels nearest = nearest_labels(read_labelled(a.truth), cloud, a.nearest);
+  char text[120];
+  std::snprintf(text, sizeof text,
+                "truth is %.2f mm away on average; %zu points are further than %g m",
+                1000 * nearest.mean_distance, nearest.beyond, a.nearest);
+  a.console.say(text);
+  return std::move(nearest.labels);
+}
+
 /// A column of the scored cloud itself: another field of the PCD file.
 std::vector<std::uint32_t> read_field(const Arguments& a) {
   const fs::path file = fs::is_directory(a.result) ? a.result / "points.pcd" : a.result;
@@ -87,9 +100,12 @@ std::vector<std::uint32_t> read_field(const Arguments& a) {
 }
 
 /// --truth names a file or, where there is none and the name could be one, a field.
-std::vector<std::uint32_t> read_truth(const Arguments& a, std::size_t size) {
+std::vector<std::uint32_t> read_truth(const Arguments& a, const PointCloud& cloud) {
+  if (a.nearest > 0) return read_nearest(a, cloud);
+  const std::size_t size = cloud.size();
   const bool field = !fs::exists(a.truth) && !a.truth.has_parent_path() && !a.truth.has_extension();
-  std::vector<std::uint32_t> truth = field ? read_field(a) : read_labelled(a.truth).labels;
+  std::vector<std::uint32_t> truth =
+      field ? read_field(a) : read_labelled(a.truth, a.limits.read()).labels;
   if (truth.size() != size) {
     throw Error(Error::Kind::Input, a.truth.string() + ": has " + std::to_string(truth.size()) +
                                         " points, " + a.result.string() + " has " +
@@ -100,7 +116,7 @@ std::vector<std::uint32_t> read_truth(const Arguments& a, std::size_t size) {
 
 /// The result as the camera sees it, in place of its points. \returns the image's truth.
 std::vector<std::uint32_t> project(const Arguments& a, Prediction& prediction) {
-  PointCloud image = read_labelled(a.truth);
+  PointCloud image = read_labelled(a.truth, a.limits.read());
   if (!image.organised()) {
     throw Error(Error::Kind::Input, a.truth.string() +
                                         ": is no organised view; --camera needs a labelled image, "
@@ -128,7 +144,7 @@ double share_of_holes(const std::vector<std::uint32_t>& labels,
 
 Scores score(const Arguments& a, Prediction& prediction) {
   const bool projected = !a.camera.empty();
-  const auto truth = projected ? project(a, prediction) : read_truth(a, prediction.labels.size());
+  const auto truth = projected ? project(a, prediction) : read_truth(a, prediction.cloud);
   Scores scores{score(a.counted, prediction.labels, truth), {}, {}, {}};
   if (projected) scores.holes = share_of_holes(prediction.labels, truth);
   if (prediction.height > 1) {
@@ -236,6 +252,7 @@ void print_table(const Scores& scores) {
 
 void run(Arguments& a) {
   a.counted.check();
+  a.limits.apply();
   if (a.camera.empty() && (!a.pose.empty() || a.splat > 0)) {
     throw Error(Error::Kind::Usage, "--pose and --splat need --camera FX,FY,CX,CY");
   }
@@ -290,7 +307,14 @@ Command add_evaluate(CLI::App& program) {
   command->add_option("--splat", a->splat, "A point covers N pixels around its own too (0)")
       ->check(CLI::Range(0, 64))
       ->type_name("N");
+  command
+      ->add_option("--truth-nearest", a->nearest,
+                   "--truth is another cloud of the same place: each point counts as its nearest "
+                   "one there, within this distance [m]")
+      ->check(CLI::Range(1e-6, 10.0))
+      ->type_name("M");
   a->counted.declare(*command);
+  a->limits.declare(*command);
   a->console.declare(*command);
   return {command, [a] { run(*a); }};
 }

@@ -9,6 +9,7 @@
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/engine_arguments.hpp"
+#include "cli/memory.hpp"
 #include "cli/method_arguments.hpp"
 #include "cli/truth_arguments.hpp"
 #include "cli/values.hpp"
@@ -30,6 +31,7 @@ struct Arguments {
   TruthArguments counted;
   CameraArguments camera;
   FigureOptions figure;
+  LimitArguments limits;
   fs::path scene, png, truth;
   std::string methods = "ransac,lccp,ours";
 };
@@ -50,7 +52,7 @@ std::string describe(const LabelScores& scores) {
 
 std::vector<std::uint32_t> read_truth(const Arguments& a, const PointCloud& cloud) {
   if (a.truth.empty()) return {};
-  const PointCloud truth = read_cloud(a.truth);
+  const PointCloud truth = read_cloud(a.truth, a.limits.read());
   if (truth.size() != cloud.size() || !truth.has_labels()) {
     throw Error(Error::Kind::Input,
                 a.truth.string() + ": --truth needs the scene's points with a field `label`");
@@ -108,13 +110,15 @@ void run(Arguments& a) {
   a.counted.check();
   a.camera.apply(a.figure.drawing);
   if (!a.camera.size.empty()) a.figure.size = a.figure.drawing.size;
-  const PointCloud cloud = read_cloud(a.scene);
+  a.limits.apply();
+  const PointCloud cloud = read_cloud(a.scene, a.limits.read());
   const Content content = make_content(a, methods, cloud);
   const fs::path numbers = fs::path(a.png).replace_extension(".json");
   const Json all = {{"scene", a.scene.filename().string()}, {"panels", content.scores}};
   const std::string text = all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-  write_whole(numbers, text);
+  require_memory_for_drawing(a.figure.drawing);
   render_figure(content.base, cloud, content.panels, a.figure, a.png);
+  write_whole(numbers, text);
   a.console.say(a.png.string() + "; its numbers in " + numbers.string());
   if (a.console.json) std::fputs(text.c_str(), stdout);
 }
@@ -152,6 +156,7 @@ Command add_figure(CLI::App& program) {
   a->counted.declare(*command);
   a->engine.declare(*command);
   a->peers.declare(*command);
+  a->limits.declare(*command);
   a->console.declare(*command);
   return {command, [a] { run(*a); }};
 }

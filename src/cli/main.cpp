@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 the planescope authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -8,14 +7,16 @@
 #include <system_error>
 
 #include "cli/command.hpp"
+#include "cli/console.hpp"
+#include "cli/memory.hpp"
+#include "cli/signals.hpp"
 #include "planescope/error.hpp"
 
 namespace {
 
-/// One line on stderr, whatever the message holds (file names may hold newlines).
-int fail(std::string message, planescope::Error::Kind kind) {
-  std::ranges::replace(message, '\n', ' ');
-  std::fprintf(stderr, "planescope: %s\n", message.c_str());
+/// One line on stderr, whatever the message holds.
+int fail(const std::string& message, planescope::Error::Kind kind) {
+  std::fprintf(stderr, "planescope: %s\n", planescope::cli::printable(message).c_str());
   return static_cast<int>(kind);
 }
 
@@ -23,6 +24,8 @@ int fail(std::string message, planescope::Error::Kind kind) {
 
 int main(int argc, char** argv) {
   using Kind = planescope::Error::Kind;
+  planescope::cli::handle_signals();
+  planescope::cli::explain_termination();
   try {
     const int code = planescope::cli::run_program(argc, argv);
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
@@ -33,7 +36,13 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     return fail("out of memory; give it more, or take a larger --voxel-size or fewer points",
                 Kind::Computation);
-  } catch (const std::system_error& error) {  // files: std::filesystem, streams
+  } catch (const std::system_error& error) {
+    const bool starved = error.code() == std::errc::resource_unavailable_try_again ||
+                         error.code() == std::errc::not_enough_memory;
+    if (starved)
+      return fail("out of memory for a thread; give it more, or take fewer --threads",
+                  Kind::Computation);
+    // files: std::filesystem, streams
     return fail(std::string(error.what()) + "; is it a file that can be read and written?",
                 Kind::Input);
   } catch (const std::exception& error) {

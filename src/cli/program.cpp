@@ -68,8 +68,9 @@ int run_program(int argc, char** argv) {
   program.require_subcommand(1);
   program.set_version_flag("--version", version, "Versions of planescope, VTK, PCL and OpenGL");
   const std::vector<Command> commands = {
-      add_segment(program), add_render(program), add_evaluate(program),  add_compare(program),
-      add_figure(program),  add_batch(program),  add_synthesize(program)};
+      add_segment(program),     add_render(program),     add_evaluate(program),
+      add_compare(program),     add_figure(program),     add_batch(program),
+      add_reconstruct(program), add_synthesize(program), add_track(program)};
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& help) {  // --help, --version

@@ -8,6 +8,7 @@
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
+#include "cli/memory.hpp"
 #include "cli/picture_arguments.hpp"
 #include "planescope/error.hpp"
 #include "planescope/render.hpp"
@@ -35,12 +36,14 @@ void run(const Arguments& a) {
     throw Error(Error::Kind::Usage,
                 "-o is `" + a.png.string() + "`; it takes a name that ends in .png");
   }
+  const RenderOptions options = a.picture.options();
+  require_memory_for_drawing(options);
   nlohmann::ordered_json outcome = {{"picture", a.png.string()}};
   if (a.orbit > 0) {
-    render_orbit(a.folder, a.picture.options(), a.orbit, a.png);
+    render_orbit(a.folder, options, a.orbit, a.png);
     outcome["frames"] = a.orbit;
   } else {
-    const Camera camera = render(a.folder, a.picture.options(), a.png);
+    const Camera camera = render(a.folder, options, a.png);
     if (!a.save_camera.empty()) write_camera(camera, a.save_camera);
     outcome["camera"] = nlohmann::ordered_json::parse(camera_json(camera));
     if (a.console.json) outcome["segment_colors"] = colors_json(a);

@@ -13,8 +13,10 @@
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/engine_arguments.hpp"
+#include "cli/memory.hpp"
 #include "cli/method_arguments.hpp"
 #include "cli/run_info.hpp"
+#include "cli/scene_arguments.hpp"
 #include "cli/staged_folder.hpp"
 #include "cli/values.hpp"
 #include "io/whole_file.hpp"
@@ -35,11 +37,12 @@ struct Arguments {
   EngineArguments engine;
   MethodArguments peers;
   CameraArguments camera;
-  std::filesystem::path scene, folder;
+  SceneArguments scene;
+  std::filesystem::path folder;
   std::string method = "ours";
   bool no_pictures = false;
   std::size_t threads = 0;
-  std::uint64_t max_points = ReadLimits{}.max_points;
+  LimitArguments limits;
 };
 
 /// A length for people: `7.5 mm`, `2.31 m`.
@@ -51,15 +54,17 @@ std::string length(double metres) {
 }
 
 /// What --preset auto chose, and from what.
-std::string describe_choice(const PointCloud& cloud, const Options& options) {
-  const CloudScale scale = measure_scale(cloud);
+std::string describe_choice(const CloudScale& scale, const Options& options) {
   return "preset auto: spacing " + length(scale.spacing) + ", noise " + length(scale.noise) +
          ", extent " + length(scale.extent.x()) + " x " + length(scale.extent.y()) + " x " +
          length(scale.extent.z()) + "; using --voxel-size " +
          get_option(options, "patches.voxel_size") + " --patch-size " +
          get_option(options, "patches.patch_size") + " --patches.range_exponent " +
-         get_option(options, "patches.range_exponent") + " --planes.sigma " +
-         get_option(options, "planes.sigma") + " --planes.min_area " +
+         get_option(options, "patches.range_exponent") +
+         (options.patches.smoothing > 0
+              ? " --patches.smoothing " + get_option(options, "patches.smoothing")
+              : "") +
+         " --planes.sigma " + get_option(options, "planes.sigma") + " --planes.min_area " +
          get_option(options, "planes.min_area");
 }
 
@@ -68,18 +73,28 @@ std::string describe_scene(const Segmentation& scene, const PointCloud& cloud) {
   const auto on = std::ranges::count(scene.edges, true, &Edge::on);
   std::string text = std::to_string(cloud.size()) + " points, ";
   if (scene.method.has_graph) text += std::to_string(scene.graph.patches.size()) + " patches, ";
-  if (scene.method.has_planes) text += std::to_string(scene.planes.size()) + " planes, ";
+  if (scene.method.has_planes) {
+    const std::size_t planes = count_planes(scene.planes, PlaneRole::Support);
+    text += std::to_string(planes) + " planes, " + std::to_string(scene.planes.size() - planes) +
+            " faces, ";
+  }
   if (scene.method.has_graph) {
     text += std::to_string(scene.edges.size()) + " edges (" + std::to_string(on) + " ON, " +
             std::to_string(std::ssize(scene.edges) - on) + " OFF), ";
   }
-  return text + std::to_string(scene.segments.segments.size()) + " segments";
+  text += std::to_string(scene.segments.segments.size()) + " segments";
+  if (const std::size_t strays = scene.graph.stray_points; strays > 0)
+    text += "; left out " + std::to_string(strays) + " points far away from all others";
+  return text;
 }
 
 Segmentation compute(const Arguments& a, const PointCloud& cloud) {
   const Options options = a.engine.resolve(cloud);
-  if (a.engine.preset() == "auto" && !a.console.quiet) {
-    a.console.say(describe_choice(cloud, options));
+  if (!a.console.quiet) {
+    const CloudScale scale = measure_scale(cloud);
+    if (a.engine.preset() == "auto") a.console.say(describe_choice(scale, options));
+    const std::string warning = scale_warning(scale, options);
+    if (!warning.empty()) a.console.say("warning: " + warning);
   }
   for (const OptionInfo& info : option_table()) {
     a.console.detail("  " + info.name + " = " + get_option(options, info.name));
@@ -91,15 +106,23 @@ Segmentation compute(const Arguments& a, const PointCloud& cloud) {
 const std::vector<std::string> kPictures = {"overview.png", "segments.png", "planes.png",
                                             "graph.png"};
 
+std::vector<std::string> result_files() {
+  std::vector<std::string> names = {"result.json", "run.json",  "points.pcd",
+                                    "patches.vtp", "graph.vtp", "planes.vtp"};
+  names.insert(names.end(), kPictures.begin(), kPictures.end());
+  return names;
+}
+
 /// All outputs, in place only when all of them are whole.
 void write(const Arguments& a, const RenderOptions& drawing, const Segmentation& scene,
-           const PointCloud& cloud, RunInfo& run, const Stopwatch& since_start) {
-  const InputInfo input{a.scene.filename().string(), hash_file(a.scene)};
+           const Scene& source, RunInfo& run, const Stopwatch& since_start) {
+  const auto& [cloud, input] = source;
   StagedFolder staged(a.folder);
   Stopwatch watch;
   save(scene, cloud, staged.path(), input);
   save_geometry(scene, cloud, staged.path());
   run.write = watch.lap();
+  if (!a.no_pictures) require_memory_for_drawing(drawing);
   if (!a.no_pictures) render_pictures(scene, cloud, drawing, staged.path(), input);
   run.pictures = watch.lap();
   run.total = Stopwatch(since_start).lap();
@@ -122,6 +145,7 @@ void print_json(const Arguments& a) {
 void run(Arguments& a) {
   const Stopwatch since_start;
   check_method("--method", a.method);
+  a.scene.check();
   a.engine.check();
   a.peers.check();
   RenderOptions drawing;
@@ -129,6 +153,8 @@ void run(Arguments& a) {
   if (a.folder.empty())
     throw Error(Error::Kind::Usage, "-o is empty; name a folder for the result");
   check_writable(a.folder);
+  for (const auto& file : a.scene.files()) refuse_overwriting(file, a.folder, result_files());
+  a.limits.apply();
   std::unique_ptr<TbbLimit> limit;
   if (a.threads > 0) {
     limit = std::make_unique<TbbLimit>(TbbLimit::max_allowed_parallelism, a.threads);
@@ -136,13 +162,14 @@ void run(Arguments& a) {
   RunInfo info;
   info.threads = TbbLimit::active_value(TbbLimit::max_allowed_parallelism);
   Stopwatch watch;
-  const PointCloud cloud = read_cloud(a.scene, {.max_points = a.max_points});
+  const Scene source = a.scene.load(a.console, a.limits.read());
+  const PointCloud& cloud = source.cloud;
   const double read_time = watch.lap();
   const Segmentation scene = compute(a, cloud);
   info.stages = scene.times;
   info.stages.read = read_time;
   a.console.say(describe_scene(scene, cloud));
-  write(a, drawing, scene, cloud, info, since_start);
+  write(a, drawing, scene, source, info, since_start);
   a.console.detail(info.brief());
   if (a.console.json) print_json(a);
 }
@@ -152,7 +179,7 @@ void run(Arguments& a) {
 Command add_segment(CLI::App& program) {
   const auto a = std::make_shared<Arguments>();
   CLI::App* command = program.add_subcommand("segment", "Segment a point cloud, and draw it");
-  command->add_option("SCENE", a->scene, "Point cloud: PCD or PLY")->required();
+  a->scene.declare(*command);
   command->add_option("-o,--output", a->folder, "Folder for the result, made where it is missing")
       ->required()
       ->type_name("DIR");
@@ -165,9 +192,7 @@ Command add_segment(CLI::App& program) {
   command->add_option("--threads", a->threads, "Threads at most (all); the result is the same")
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
-  command->add_option("--max-points", a->max_points, "Refuse clouds of more points")
-      ->check(CLI::PositiveNumber)
-      ->type_name("N");
+  a->limits.declare(*command);
   a->console.declare(*command);
   return {command, [a] { run(*a); }};
 }

@@ -22,6 +22,7 @@ struct Arguments {
   SynthesisOptions options;
   fs::path cloud;
   std::string offset;
+  std::uint32_t sequence = 0;
   bool ascii = false;
 };
 
@@ -35,11 +36,29 @@ void print_json(const SynthesizedScene& scene, const fs::path& cloud, const fs::
   std::printf("%s\n", outcome.dump(1, ' ', false, replace).c_str());
 }
 
+/// The room as depth images with poses; what is true of it goes beside them.
+void write_frames(const Arguments& a) {
+  if (a.cloud.has_extension()) {
+    throw Error(Error::Kind::Usage,
+                "-o is `" + a.cloud.string() + "`; with --sequence it takes a folder's name");
+  }
+  const SynthesizedScene scene =
+      write_sequence(a.options, a.sequence, a.cloud, a.console.progress());
+  const fs::path cloud = a.cloud / "truth.ply", truth = a.cloud / "truth.json";
+  write_cloud(scene.cloud, cloud);
+  write_truth(scene, truth);
+  a.console.say(a.cloud.string() + ": " + std::to_string(a.sequence) + " frames of " +
+                std::to_string(scene.objects.size()) + " objects; truth in " + cloud.string() +
+                " and " + truth.string());
+  if (a.console.json) print_json(scene, cloud, truth);
+}
+
 void run(Arguments& a) {
+  if (!a.offset.empty()) a.options.offset = parse_vector("--offset", a.offset);
+  if (a.sequence > 0) return write_frames(a);
   if (a.cloud.extension() != ".pcd" && a.cloud.extension() != ".ply") {
     throw Error(Error::Kind::Usage, "-o is `" + a.cloud.string() + "`; it takes *.pcd or *.ply");
   }
-  if (!a.offset.empty()) a.options.offset = parse_vector("--offset", a.offset);
   const SynthesizedScene scene = synthesize(a.options);
   const fs::path truth = fs::path(a.cloud).replace_extension(".truth.json");
   write_cloud(scene.cloud, a.cloud, a.ascii ? CloudEncoding::Ascii : CloudEncoding::Binary);
@@ -66,6 +85,13 @@ Command add_synthesize(CLI::App& program) {
   command->add_option("--views", a->options.views, "Seen by this many depth cameras instead")
       ->check(CLI::PositiveNumber)
       ->excludes(points);
+  command
+      ->add_option("--sequence", a->sequence,
+                   "Instead of a cloud, this many RGB-D frames with poses, carried through the "
+                   "room, into the folder -o; --points are those of its truth.ply")
+      ->check(CLI::Range(1u, kMostFrames))
+      ->excludes("--views")
+      ->type_name("N");
   command->add_option("--random-seed", a->options.random_seed, "Another seed, another room")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();

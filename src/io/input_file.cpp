@@ -14,19 +14,20 @@
 
 namespace planescope::io {
 
-InputFile::InputFile(const std::filesystem::path& file) : name_(file.string()) {
+InputFile::InputFile(const std::filesystem::path& file, const std::string& expected)
+    : name_(file.string()) {
   // O_NONBLOCK: opening a pipe that nobody writes to must not hang; regular files ignore it.
   descriptor_ = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (descriptor_ < 0) {
-    fail(std::string("cannot be opened: ") + std::strerror(errno) + "; expected a PCD or PLY file");
+    fail(std::string("cannot be opened: ") + std::strerror(errno) + "; expected " + expected);
   }
   struct stat status {};
   const bool regular = ::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
   size_ = regular && status.st_size > 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
   if (size_ == 0) {
     ::close(descriptor_);  // the destructor of a half-made object does not run
-    if (!regular) fail("is not a regular file; expected a PCD or PLY file");
-    fail("is empty; expected a PCD or PLY file");
+    if (!regular) fail("is not a regular file; expected " + expected);
+    fail("is empty; expected " + expected);
   }
 }
 

@@ -15,8 +15,10 @@ namespace planescope::io {
 /// block that was just copied is decoded from the cache.
 class InputFile {
  public:
+  /// \param expected what kind of file it should be, for messages.
   /// \throws Error{Kind::Input} missing, not a regular file, unreadable, or empty.
-  explicit InputFile(const std::filesystem::path& file);
+  explicit InputFile(const std::filesystem::path& file,
+                     const std::string& expected = "a PCD or PLY file");
   /// Bytes in memory under a name for messages; they must outlive the object. For tests and
   /// fuzzing. \throws Error{Kind::Input} no bytes.
   InputFile(std::string name, std::span<const std::byte> bytes);

@@ -4,11 +4,14 @@
 #include <filesystem>
 #include <string_view>
 
-#include "io/whole_file.hpp"
+#include "io/ending.hpp"
 
 namespace planescope::io {
 
-/// A file written from front to back in large pieces, that appears whole or not at all.
+/// A file written from front to back in large pieces, that appears whole or not at all: it has no
+/// name before commit() where the file system can do that (O_TMPFILE: a process that is killed
+/// leaves nothing), and a temporary, hidden one elsewhere. What was there under the name is
+/// replaced; a link is replaced, not followed.
 class OutputFile {
  public:
   /// \throws Error{Kind::Input} the folder is missing or cannot be written to.
@@ -24,11 +27,14 @@ class OutputFile {
   void commit();
 
  private:
-  [[noreturn]] void fail() const;
+  void open();
+  void remove_temporary() const;
+  [[noreturn]] void fail(int why) const;
 
-  std::filesystem::path target_;
-  WholeFile whole_;
-  int descriptor_;
+  std::filesystem::path target_, temporary_;  ///< in the same folder
+  EndingAction undo_;
+  int descriptor_ = -1;
+  bool named_ = false;  ///< temporary_ is there
 };
 
 }  // namespace planescope::io

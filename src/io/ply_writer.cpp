@@ -34,18 +34,41 @@ const char* type_name(Scalar type) {
   return type == Scalar::U8 ? "uchar" : "uint";
 }
 
+std::string make_header(const PointCloud& cloud, const std::vector<OutField>& fields, bool ascii) {
+  std::string header = std::string("ply\nformat ") + (ascii ? "ascii" : "binary_little_endian") +
+                       " 1.0\nelement vertex " + std::to_string(cloud.size()) + '\n';
+  for (const OutField& field : fields) {
+    header += std::string("property ") + type_name(field.type) + ' ' + field.name + '\n';
+  }
+  return header;
+}
+
 }  // namespace
 
 void write_ply(const std::filesystem::path& file, const PointCloud& cloud, CloudEncoding encoding) {
   check_writable(cloud);
   const std::vector<OutField> fields = fields_of(cloud);
   const bool ascii = encoding == CloudEncoding::Ascii;
-  std::string header = std::string("ply\nformat ") + (ascii ? "ascii" : "binary_little_endian") +
-                       " 1.0\nelement vertex " + std::to_string(cloud.size()) + '\n';
-  for (const OutField& field : fields) {
-    header += std::string("property ") + type_name(field.type) + ' ' + field.name + '\n';
+  write_records(file, make_header(cloud, fields, ascii) + "end_header\n", fields, cloud.size(),
+                encoding);
+}
+
+void write_ply(const std::filesystem::path& file, const PointCloud& vertices,
+               const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+  check_writable(vertices);
+  const std::vector<OutField> fields = fields_of(vertices);
+  const std::string header = make_header(vertices, fields, false) + "element face " +
+                             std::to_string(triangles.size()) +
+                             "\nproperty list uchar int vertex_indices\nend_header\n";
+  std::string faces;
+  faces.reserve(triangles.size() * 13);
+  for (const auto& triangle : triangles) {
+    faces += '\3';
+    for (const std::uint32_t v : triangle) {
+      for (int shift = 0; shift < 32; shift += 8) faces += static_cast<char>(v >> shift & 0xFF);
+    }
   }
-  write_records(file, header + "end_header\n", fields, cloud.size(), encoding);
+  write_records(file, header, fields, vertices.size(), CloudEncoding::Binary, faces);
 }
 
 }  // namespace planescope::io

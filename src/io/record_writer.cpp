@@ -143,8 +143,8 @@ void check_writable(const PointCloud& cloud) {
 }
 
 void write_records(const std::filesystem::path& file, const std::string& header,
-                   const std::vector<OutField>& fields, std::size_t points,
-                   CloudEncoding encoding) {
+                   const std::vector<OutField>& fields, std::size_t points, CloudEncoding encoding,
+                   std::string_view tail) {
   constexpr std::size_t kBlocksAtOnce = 8;  // bounds the memory
   OutputFile out(file);
   out.write(header);
@@ -169,6 +169,7 @@ void write_records(const std::filesystem::path& file, const std::string& header,
       tbb::filter_mode::serial_in_order,
       [&](std::size_t index) { out.write(ring[index % kBlocksAtOnce].bytes); });
   tbb::parallel_pipeline(kBlocksAtOnce, number & make & write);
+  out.write(tail);
   out.commit();
 }
 

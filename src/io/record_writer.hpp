@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -53,9 +54,10 @@ void check_writable(const PointCloud& cloud);
 
 /// Writes the header, then the records: little-endian and packed, or one line each. Blocks are
 /// made in parallel and written in order, so that memory stays at a few blocks; the file appears
-/// whole or not at all. \throws Error{Kind::Input} the folder is missing or read-only, the disk is
-/// full.
+/// whole or not at all. \param tail bytes after the records, such as a mesh's faces.
+/// \throws Error{Kind::Input} the folder is missing or read-only, the disk is full.
 void write_records(const std::filesystem::path& file, const std::string& header,
-                   const std::vector<OutField>& fields, std::size_t points, CloudEncoding encoding);
+                   const std::vector<OutField>& fields, std::size_t points, CloudEncoding encoding,
+                   std::string_view tail = {});
 
 }  // namespace planescope::io

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the planescope authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -151,20 +152,41 @@ std::vector<std::int32_t> label_points(const std::vector<std::uint32_t>& point_v
 }
 
 // What the points themselves say of their patch: mean colour, and the sum of their given normals.
-std::vector<Eigen::Vector3f> gather_point_votes(const PointCloud& cloud, PatchGraph& graph) {
-  std::vector<Eigen::Vector3d> colors(cloud.has_colors() ? graph.patches.size() : 0,
-                                      Eigen::Vector3d::Zero());
-  std::vector<Eigen::Vector3f> votes(cloud.has_normals() ? graph.patches.size() : 0,
-                                     Eigen::Vector3f::Zero());
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (graph.point_patch[i] == kNone) continue;
-    const auto p = static_cast<std::size_t>(graph.point_patch[i]);
-    if (!colors.empty())
-      colors[p] += Eigen::Vector3d(cloud.colors[i].r, cloud.colors[i].g, cloud.colors[i].b);
-    if (!votes.empty() && is_finite(cloud.normals[i])) votes[p] += cloud.normals[i];
-  }
-  for (std::size_t p = 0; p < colors.size(); ++p) {
-    graph.patches[p].color = (colors[p] / graph.patches[p].point_count).cast<float>();
+// The sums of whole numbers are the same in any order; those of normals run over fixed parts of the
+// cloud, one after the other.
+std::vector<Eigen::Vector3f> gather_point_votes(const PointCloud& cloud, bool with_normals,
+                                                PatchGraph& graph) {
+  constexpr std::size_t kParts = 8;
+  struct Part {
+    std::vector<std::array<std::uint64_t, 3>> colors;
+    std::vector<Eigen::Vector3f> votes;
+  };
+  std::vector<Part> parts(kParts);
+  const std::size_t patches = graph.patches.size();
+  tbb::parallel_for(std::size_t{0}, kParts, [&](std::size_t k) {
+    Part& part = parts[k];
+    part.colors.resize(cloud.has_colors() ? patches : 0);
+    part.votes.resize(with_normals ? patches : 0, Eigen::Vector3f::Zero());
+    for (std::size_t i = cloud.size() * k / kParts; i < cloud.size() * (k + 1) / kParts; ++i) {
+      if (graph.point_patch[i] == kNone) continue;
+      const auto p = static_cast<std::size_t>(graph.point_patch[i]);
+      if (cloud.has_colors()) {
+        const Rgb& c = cloud.colors[i];
+        part.colors[p][0] += c.r, part.colors[p][1] += c.g, part.colors[p][2] += c.b;
+      }
+      if (with_normals && is_finite(cloud.normals[i])) part.votes[p] += cloud.normals[i];
+    }
+  });
+  std::vector<Eigen::Vector3f> votes(with_normals ? patches : 0, Eigen::Vector3f::Zero());
+  for (std::size_t p = 0; p < patches; ++p) {
+    Eigen::Vector3d color = Eigen::Vector3d::Zero();
+    for (const Part& part : parts) {
+      if (with_normals) votes[p] += part.votes[p];
+      if (!part.colors.empty())
+        color += Eigen::Vector3d(double(part.colors[p][0]), double(part.colors[p][1]),
+                                 double(part.colors[p][2]));
+    }
+    graph.patches[p].color = (color / graph.patches[p].point_count).cast<float>();
   }
   return votes;
 }
@@ -219,10 +241,12 @@ PatchGraph make_patches(const PointCloud& cloud, const PatchOptions& options,
   PatchGraph graph;
   graph.voxel_size = static_cast<float>(options.voxel_size);
   graph.patch_size = static_cast<float>(options.patch_size);
+  graph.stray_points = grid.stray_points;
   graph.patches = describe_patches({grid, warp, mean, normals}, members);
   graph.adjacency = find_adjacency(grid, label, members);
   graph.point_patch = label_points(grid.point_voxel, label);
-  const std::vector<Eigen::Vector3f> votes = gather_point_votes(cloud, graph);
+  const std::vector<Eigen::Vector3f> votes =
+      gather_point_votes(cloud, cloud.has_normals() && !sensor, graph);
   if (sensor) {
     orient_towards(graph.patches, *sensor);
   } else if (cloud.has_normals()) {

@@ -24,6 +24,21 @@ struct VoxelBlock {
   }
 };
 
+/// The occupied blocks of a grid, by key.
+struct VoxelBlocks {
+  std::vector<std::int64_t> keys;  ///< ascending: z, then y, then x
+  std::vector<VoxelBlock> blocks;
+  std::uint32_t voxel_count = 0;
+};
+
+inline constexpr unsigned kAxisBits = 21;              ///< voxels along an axis: at most 2^21
+inline constexpr unsigned kBlockBits = kAxisBits - 3;  ///< blocks along an axis
+
+/// Key of the block at (x, y, z), each within -1 and 2^kBlockBits - 1.
+constexpr std::int64_t block_key(std::int64_t x, std::int64_t y, std::int64_t z) {
+  return (z * (std::int64_t{1} << kBlockBits) + y) * (std::int64_t{1} << kBlockBits) + x;
+}
+
 /// Open-addressing hash from block key to index; keys are never removed.
 class BlockMap {
  public:

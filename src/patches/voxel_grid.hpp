@@ -24,12 +24,14 @@ struct VoxelGrid {
   std::vector<std::uint32_t> point_voxel;        ///< per point of the cloud, or kNoVoxel
   std::vector<std::uint32_t> neighbour_offsets;  ///< compressed rows: the 26-neighbourhood ...
   std::vector<std::uint32_t> neighbours;         ///< ... of each voxel, without itself
+  std::size_t stray_points = 0;                  ///< finite, far from all others, in no voxel
 
   std::size_t voxel_count() const { return mean.size(); }
 };
 
 /// Voxelises the finite points of a cloud and links each voxel with its up to 26 neighbours.
 /// \param with_color also average colours (only where the cloud has them).
+/// Strays (find_grid_bounds()) that would make the grid too large are in no voxel.
 /// \throws Error{Kind::Input} no finite point; \throws Error{Kind::Computation} more than 2^21
 /// voxels along an axis.
 VoxelGrid make_voxel_grid(const PointCloud& cloud, double voxel_size, bool with_color);

@@ -49,7 +49,7 @@ std::vector<Hypothesis> search_sample(const PatchIndex& sample, const PlaneOptio
   const double most = std::max(kFewestFits, kPatchTests / static_cast<double>(sample.size() + 1));
   std::vector<Hypothesis> found =
       search.fit_uncovered(std::move(seeds), static_cast<std::size_t>(most), least);
-  std::vector<Hypothesis> more = search.fit_each(triples, least);
+  std::vector<Hypothesis> more = search.fit_each(triples, found, least);
   std::move(more.begin(), more.end(), std::back_inserter(found));
   return merge_duplicates(std::move(found));
 }

@@ -31,7 +31,7 @@ double support_threshold(const std::vector<Patch>& patches, double min_area);
 /// - with many patches a spatially even sample of them proposes, large enough that a plane of
 ///   lambda inliers keeps about two dozen in it; the survivors are refitted to all patches;
 /// - a flat patch that is a close inlier of a plane refitted earlier proposes nothing, because its
-///   refit would end there;
+///   refit would end there, and neither does a triple whose plane is close to one;
 /// - a plane with at most lambda inliers is dropped: its D is not negative and V never is, so that
 ///   no optimum needs it.
 Hypotheses propose_hypotheses(const PatchIndex& index, const PlaneOptions& options, double lambda);

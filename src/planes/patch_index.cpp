@@ -3,9 +3,7 @@
 #include "planes/patch_index.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
 #include <random>
 #include <utility>
 
@@ -13,6 +11,7 @@
 #include <Eigen/Geometry>
 
 #include "planes/random.hpp"
+#include "simd.hpp"
 
 namespace planescope {
 namespace {
@@ -55,13 +54,6 @@ std::vector<std::uint32_t> morton_order(const std::vector<Patch>& patches) {
   std::vector<std::uint32_t> order(patches.size());
   std::transform(keyed.begin(), keyed.end(), order.begin(), [](const auto& k) { return k.second; });
   return order;
-}
-
-/// Eight bytes of 0 or 1 to the eight lowest bits.
-std::uint64_t pack(const std::uint8_t* flags) {
-  std::uint64_t bits = 0;
-  for (std::size_t j = 0; j < 8; ++j) bits |= std::uint64_t{flags[j]} << (8 * j);
-  return (bits * 0x0102040810204080u) >> 56;
 }
 
 }  // namespace
@@ -116,7 +108,7 @@ void PatchIndex::finish() {
     blocks_.push_back({box.center(), half, scale});
   }
   const std::size_t padded = blocks_.size() * kBlock;
-  for (auto* column : {&x_, &y_, &z_, &scale_}) column->resize(padded, 0.0f);
+  for (auto* column : {&x_, &y_, &z_, &area_, &scale_}) column->resize(padded, 0.0f);
   // A normal that is no number passes no gate.
   const float never = std::numeric_limits<float>::quiet_NaN();
   for (auto* column : {&nx_, &ny_, &nz_}) column->resize(padded, never);
@@ -130,27 +122,26 @@ bool PatchIndex::may_hold(const Block& block, const InlierTest& test) const {
 }
 
 template <bool kLocal>
-std::uint64_t PatchIndex::test_block(std::size_t begin, const InlierTest& test) const {
-  const float *x = &x_[begin], *y = &y_[begin], *z = &z_[begin];
-  const float *nx = &nx_[begin], *ny = &ny_[begin], *nz = &nz_[begin];
-  const float* scale = &scale_[begin];
-  const float a = test.plane.normal.x(), b = test.plane.normal.y(), c = test.plane.normal.z();
-  const float d = test.plane.distance, width = test.half_width, gate = test.gate;
-  const float cx = test.center.x(), cy = test.center.y(), cz = test.center.z();
-  const float radius2 = test.radius * test.radius;
-  alignas(16) std::array<std::uint8_t, kBlock> flags;
-  for (std::size_t j = 0; j < kBlock; ++j) {
-    const float r = std::abs(a * x[j] + b * y[j] + c * z[j] - d);
-    const float cosine = std::abs(a * nx[j] + b * ny[j] + c * nz[j]);
-    bool in = (r < width * scale[j]) & (cosine >= gate);
+std::uint64_t PatchIndex::test_block(const Columns& block, const InlierTest& test) const {
+  const Float4 a(test.plane.normal.x()), b(test.plane.normal.y()), c(test.plane.normal.z());
+  const Float4 d(test.plane.distance), width(test.half_width), gate(test.gate);
+  const Float4 cx(test.center.x()), cy(test.center.y()), cz(test.center.z());
+  const Float4 radius2(test.radius * test.radius);
+  std::uint64_t word = 0;
+  for (std::size_t j = 0; j < kBlock; j += 4) {
+    const Float4 x = Float4::load(block.x + j), y = Float4::load(block.y + j),
+                 z = Float4::load(block.z + j);
+    const Float4 nx = Float4::load(block.nx + j), ny = Float4::load(block.ny + j),
+                 nz = Float4::load(block.nz + j);
+    const Float4 r = abs(a * x + b * y + c * z - d);
+    const Float4 cosine = abs(a * nx + b * ny + c * nz);
+    Float4 in = (r < width * Float4::load(block.scale + j)) & (cosine >= gate);
     if constexpr (kLocal) {
-      const float u = x[j] - cx, v = y[j] - cy, w = z[j] - cz;
+      const Float4 u = x - cx, v = y - cy, w = z - cz;
       in = in & (u * u + v * v + w * w <= radius2);
     }
-    flags[j] = in;
+    word |= std::uint64_t{sign_bits(in)} << j;
   }
-  std::uint64_t word = 0;
-  for (std::size_t j = 0; j < kBlock; j += 8) word |= pack(&flags[j]) << j;
   return word;
 }
 
@@ -159,7 +150,7 @@ Bits PatchIndex::inliers(const InlierTest& test) const {
   Bits found(blocks_.size(), 0);
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     if (!may_hold(blocks_[b], test)) continue;
-    found[b] = local ? test_block<true>(b * kBlock, test) : test_block<false>(b * kBlock, test);
+    found[b] = local ? test_block<true>(columns(b), test) : test_block<false>(columns(b), test);
   }
   return found;
 }

@@ -48,6 +48,19 @@ class PatchIndex {
   float scale(std::size_t i) const { return scale_[i]; }
   float curvature(std::size_t i) const { return curvature_[i]; }
 
+  /// 64 consecutive patches, word by word of Bits, as columns; past the end of the index they hold
+  /// zeros and normals that are no numbers.
+  struct Columns {
+    const float *x, *y, *z, *nx, *ny, *nz, *area, *scale;
+    Eigen::Vector3f center;  ///< [m] of the box of their centroids
+  };
+  Columns columns(std::size_t word) const {
+    const std::size_t i = word * 64;
+    return {&x_[i],    &y_[i],     &z_[i],
+            &nx_[i],   &ny_[i],    &nz_[i],
+            &area_[i], &scale_[i], blocks_[word].center};
+  }
+
   /// Positions of the inliers. A patch with a non-finite centroid or normal is never one.
   Bits inliers(const InlierTest& test) const;
 
@@ -62,7 +75,7 @@ class PatchIndex {
   void finish();  ///< pads to whole blocks and measures their boxes
   bool may_hold(const Block& block, const InlierTest& test) const;
   template <bool kLocal>
-  std::uint64_t test_block(std::size_t begin, const InlierTest& test) const;
+  std::uint64_t test_block(const Columns& block, const InlierTest& test) const;
 
   std::vector<float> x_, y_, z_, nx_, ny_, nz_;
   std::vector<float> area_, curvature_, scale_;

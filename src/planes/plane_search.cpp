@@ -66,6 +66,11 @@ PlaneSearch::Fit PlaneSearch::fit(const Seed& seed) const {
   return result;
 }
 
+bool PlaneSearch::close(const Plane& plane, const Seed& seed) const {
+  return std::abs(plane.signed_distance(seed.center)) < sigma_ / 2 &&
+         std::abs(plane.normal.dot(seed.plane.normal)) >= kCloseCosine;
+}
+
 /// The next seeds, none of them a close inlier of another's plane. Seeds that have to wait stay in
 /// `pending`; covered ones leave it.
 std::vector<Seed> PlaneSearch::next_batch(std::vector<Seed>& pending, const Bits& covered,
@@ -73,11 +78,8 @@ std::vector<Seed> PlaneSearch::next_batch(std::vector<Seed>& pending, const Bits
   std::vector<Seed> batch, rest;
   for (const Seed& seed : pending) {
     if (contains(covered, seed.position)) continue;
-    const auto close = [&](const Seed& other) {
-      return std::abs(other.plane.signed_distance(seed.center)) < sigma_ / 2 &&
-             std::abs(other.plane.normal.dot(seed.plane.normal)) >= kCloseCosine;
-    };
-    const bool wait = batch.size() >= most || std::any_of(batch.begin(), batch.end(), close);
+    const auto is_close = [&](const Seed& other) { return close(other.plane, seed); };
+    const bool wait = batch.size() >= most || std::any_of(batch.begin(), batch.end(), is_close);
     (wait ? rest : batch).push_back(seed);
   }
   pending = std::move(rest);
@@ -103,10 +105,13 @@ std::vector<Hypothesis> PlaneSearch::fit_uncovered(std::vector<Seed> seeds, std:
 }
 
 std::vector<Hypothesis> PlaneSearch::fit_each(const std::vector<Seed>& seeds,
+                                              const std::vector<Hypothesis>& known,
                                               double least_support) const {
   std::vector<Hypothesis> fits(seeds.size());
-  tbb::parallel_for(std::size_t{0}, seeds.size(),
-                    [&](std::size_t i) { fits[i] = fit(seeds[i]).hypothesis; });
+  tbb::parallel_for(std::size_t{0}, seeds.size(), [&](std::size_t i) {
+    const auto is_close = [&](const Hypothesis& h) { return close(h.plane, seeds[i]); };
+    if (std::none_of(known.begin(), known.end(), is_close)) fits[i] = fit(seeds[i]).hypothesis;
+  });
   std::vector<Hypothesis> kept;
   for (Hypothesis& h : fits) keep_supported(kept, std::move(h), least_support);
   return kept;

@@ -38,8 +38,11 @@ class PlaneSearch {
   std::vector<Hypothesis> fit_uncovered(std::vector<Seed> seeds, std::size_t most,
                                         double least_support) const;
 
-  /// Fits all seeds; returns those with at least `least_support` inliers.
-  std::vector<Hypothesis> fit_each(const std::vector<Seed>& seeds, double least_support) const;
+  /// Fits all seeds but those whose plane is close (sigma / 2 at the seed's centre and 10 degrees)
+  /// to one of `known`; returns those with at least `least_support` inliers.
+  std::vector<Hypothesis> fit_each(const std::vector<Seed>& seeds,
+                                   const std::vector<Hypothesis>& known,
+                                   double least_support) const;
 
  private:
   struct Fit {
@@ -49,6 +52,7 @@ class PlaneSearch {
   /// From a seed's plane to that of its inliers within 10 sigma, then 40 sigma, then everywhere: a
   /// patch normal that is a few degrees off leaves the slab of sigma within about ten sigma.
   Fit fit(const Seed& seed) const;
+  bool close(const Plane& plane, const Seed& seed) const;
   std::vector<Seed> next_batch(std::vector<Seed>& pending, const Bits& covered,
                                std::size_t most) const;
 

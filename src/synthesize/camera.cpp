@@ -25,18 +25,6 @@ std::vector<Vector3d> find_targets(const Room& room) {
   return targets;
 }
 
-// Camera to world, for a camera that looks along `yaw`, `pitch` below the horizon.
-Isometry3d aim(const Vector3d& eye, double yaw, double pitch, double roll) {
-  const Vector3d forward(std::cos(yaw) * std::cos(pitch), std::sin(yaw) * std::cos(pitch),
-                         -std::sin(pitch));
-  const Vector3d right = forward.cross(Vector3d::UnitZ()).normalized();
-  Isometry3d pose = Isometry3d::Identity();
-  pose.linear() << right, forward.cross(right), forward;
-  pose.translation() = eye;
-  pose.rotate(Eigen::AngleAxisd(roll, Vector3d::UnitZ()));
-  return pose;
-}
-
 Isometry3d propose_pose(const Room& room, const Vector3d& target, Random& random) {
   constexpr double kWallClearance = 0.3, kClearance = 0.25;  // [m]
   Vector3d eye = Vector3d::Zero();
@@ -72,6 +60,17 @@ double rate(const Room& room, const RayCaster& caster, const Camera& camera) {
 }
 
 }  // namespace
+
+Isometry3d aim(const Vector3d& eye, double yaw, double pitch, double roll) {
+  const Vector3d forward(std::cos(yaw) * std::cos(pitch), std::sin(yaw) * std::cos(pitch),
+                         -std::sin(pitch));
+  const Vector3d right = forward.cross(Vector3d::UnitZ()).normalized();
+  Isometry3d pose = Isometry3d::Identity();
+  pose.linear() << right, forward.cross(right), forward;
+  pose.translation() = eye;
+  pose.rotate(Eigen::AngleAxisd(roll, Vector3d::UnitZ()));
+  return pose;
+}
 
 Ray Camera::ray(double column, double row) const {
   const Vector3d local((column - cx) / focal, (row - cy) / focal, 1);

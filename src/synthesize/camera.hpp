@@ -32,6 +32,10 @@ struct DepthView {
 /// Renders the depth image of a scene, rows in parallel.
 DepthView render_depth(const RayCaster& caster, const Camera& camera);
 
+/// Camera to world, for a camera at `eye` that looks along `yaw` [rad, from x to y], `pitch` below
+/// the horizon, and is rolled clockwise.
+Isometry3d aim(const Vector3d& eye, double yaw, double pitch, double roll);
+
 /// Seeded poses inside the room, 1.2 to 1.8 m above the floor, in free space, each looking at
 /// another piece of furniture, 10 to 35 degrees downwards and rolled by a few degrees. Of a dozen
 /// poses a view, that which sees most pieces from within 0.5 to 6 m is taken.

@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the planescope authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <string>
 
 #include <nlohmann/json.hpp>
 
 #include "io/whole_file.hpp"
+#include "json_file.hpp"
 #include "planescope/error.hpp"
 #include "planescope/synthesize.hpp"
 
@@ -19,8 +18,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kFormat = "planescope-truth";
 constexpr int kVersion = 1;
-constexpr std::uintmax_t kMaxBytes = 64u << 20;  // thousands of times what a room needs
-constexpr double kMaxValue = 1e9;                // [m], [m^2]
+constexpr const char* kHint = "expected the truth that `planescope synthesize` writes";
+constexpr double kMaxValue = 1e9;  // [m], [m^2]
 
 template <typename Vector>
 Json to_json(const Vector& v) {
@@ -33,8 +32,7 @@ class Reader {
   explicit Reader(std::string file) : file_(std::move(file)) {}
 
   [[noreturn]] void fail(const std::string& what) const {
-    throw Error(Error::Kind::Input,
-                file_ + ": " + what + "; expected the truth that `planescope synthesize` writes");
+    throw Error(Error::Kind::Input, file_ + ": " + what + "; " + kHint);
   }
 
   const Json& member(const Json& object, const char* key, const std::string& where) const {
@@ -83,23 +81,6 @@ class Reader {
   std::string file_;
 };
 
-Json parse(const std::filesystem::path& file, const Reader& reader) {
-  std::error_code failure;
-  const std::uintmax_t bytes = std::filesystem::file_size(file, failure);
-  if (failure) reader.fail("cannot be read: " + failure.message());
-  if (bytes > kMaxBytes) reader.fail("has " + std::to_string(bytes) + " bytes, more than 64 MiB");
-  std::ifstream in(file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (!in.good() && !in.eof()) reader.fail("cannot be read");
-  try {
-    return Json::parse(text);
-  } catch (const Json::parse_error& error) {
-    reader.fail("is not JSON at byte " + std::to_string(error.byte));
-  } catch (const Json::exception&) {
-    reader.fail("holds a number that is out of range");
-  }
-}
-
 // The same plane, seen from another origin: `from` - `to` is added to every position.
 void move(TruePlane& plane, const Eigen::Vector3d& shift) {
   if (shift.isZero(0)) return;
@@ -133,7 +114,7 @@ void write_truth(const SynthesizedScene& scene, const std::filesystem::path& jso
 std::vector<TruePlane> read_true_planes(const std::filesystem::path& json_file,
                                         const Eigen::Vector3d& origin) {
   const Reader reader(json_file.string());
-  const Json document = parse(json_file, reader);
+  const Json document = read_json(json_file, kHint);
   if (reader.member(document, "format", "the document") != kFormat) {
     reader.fail("\"format\" is not \"planescope-truth\"");
   }

@@ -85,16 +85,6 @@ void move(PointCloud& cloud, const Vector3d& shift) {
   for (Eigen::Vector3f& p : cloud.positions) p = (p.cast<double>() + shift).cast<float>();
 }
 
-std::vector<TruePlane> describe_seen(const Scene& scene, const SeenArea& seen,
-                                     const Isometry3d& pose) {
-  std::vector<TruePlane> planes;
-  for (std::size_t s = 0; s < scene.surfaces().size(); ++s) {
-    const VisiblePart part = seen.part(s);
-    if (part.area > 0) planes.push_back(describe_plane(scene.surfaces()[s], part, pose));
-  }
-  return planes;
-}
-
 }  // namespace
 
 PointCloud sense(const Scene& scene, const Camera& camera, const DepthView& view,
@@ -114,6 +104,16 @@ PointCloud sense(const Scene& scene, const Camera& camera, const DepthView& view
     sense_row(scene, camera, view, options, random, row, cloud);
   });
   return cloud;
+}
+
+std::vector<TruePlane> describe_seen(const Scene& scene, const SeenArea& seen,
+                                     const Isometry3d& pose) {
+  std::vector<TruePlane> planes;
+  for (std::size_t s = 0; s < scene.surfaces().size(); ++s) {
+    const VisiblePart part = seen.part(s);
+    if (part.area > 0) planes.push_back(describe_plane(scene.surfaces()[s], part, pose));
+  }
+  return planes;
 }
 
 SynthesizedScene see_room(const Room& room, const SynthesisOptions& options,

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "planescope/synthesize.hpp"
 #include "synthesize/camera.hpp"
+#include "synthesize/seen_area.hpp"
 
 namespace planescope::synthesis {
 
@@ -14,6 +17,10 @@ namespace planescope::synthesis {
 /// apart.
 PointCloud sense(const Scene& scene, const Camera& camera, const DepthView& view,
                  const SynthesisOptions& options, std::uint64_t stream);
+
+/// The planes of the scene with the area that was seen of them, moved by `pose`.
+std::vector<TruePlane> describe_seen(const Scene& scene, const SeenArea& seen,
+                                     const Isometry3d& pose);
 
 /// What options.views depth cameras see of the room. One: organised, in its frame. More: all
 /// returns in the room's frame, view after view.

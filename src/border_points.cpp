@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 the planescope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "border_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+namespace planescope {
+namespace {
+
+// Measured on the table-top views and the synthesized rooms: boundaries are best where the distance
+// along a surface counts little, but for not at all; fits to hundreds of patches are the surer
+// ones.
+constexpr float kAlong = 0.1f;    // weight of the distance beyond the patch's rim
+constexpr float kOnPlane = 0.7f;  // weight of the distance to a plane or face
+constexpr float kStay = 0.95f;    // weight of the distance to the patch that has the point
+
+// A patch as points see it: a disc on its plane.
+struct Disc {
+  Eigen::Vector3f normal, center;
+  float radius = 0, weight = 1;
+
+  float distance(const Eigen::Vector3f& p) const {
+    const Eigen::Vector3f d = p - center;
+    const float above = normal.dot(d);
+    const float beside = (d - above * normal).norm();
+    return weight * std::abs(above) + kAlong * std::max(0.0f, beside - radius);
+  }
+};
+
+std::vector<Disc> make_discs(const Segmentation& scene) {
+  std::vector<Disc> discs(scene.graph.patches.size());
+  for (std::size_t i = 0; i < discs.size(); ++i) {
+    const Patch& patch = scene.graph.patches[i];
+    const std::int32_t plane = scene.plane_of(i);
+    discs[i] = {patch.normal, patch.centroid, std::sqrt(patch.area / std::numbers::pi_v<float>),
+                1.0f};
+    if (plane == kNone) continue;
+    const Plane& fit = scene.planes[static_cast<std::size_t>(plane)].plane;
+    discs[i].normal = fit.normal;
+    discs[i].center -= fit.signed_distance(patch.centroid) * fit.normal;
+    discs[i].weight = kOnPlane;
+  }
+  return discs;
+}
+
+// Of each patch, the adjacent ones in other segments, in compressed rows.
+struct Rivals {
+  std::vector<std::uint32_t> offsets, patches;
+};
+
+Rivals find_rivals(const Segmentation& scene) {
+  const std::vector<std::uint32_t>& label = scene.segments.patch_label;
+  const NeighbourTable table = make_neighbour_table(label.size(), scene.graph.adjacency);
+  Rivals rivals;
+  rivals.offsets.reserve(label.size() + 1);
+  rivals.offsets.push_back(0);
+  for (std::size_t i = 0; i < label.size(); ++i) {
+    for (std::size_t k = table.offsets[i]; k < table.offsets[i + 1]; ++k) {
+      const std::uint32_t n = table.neighbours[k];
+      if (label[n] != label[i]) rivals.patches.push_back(n);
+    }
+    rivals.offsets.push_back(static_cast<std::uint32_t>(rivals.patches.size()));
+  }
+  return rivals;
+}
+
+// Patches, segments and planes count the points that they now have.
+void recount(Segmentation& scene) {
+  std::vector<Patch>& patches = scene.graph.patches;
+  for (Patch& patch : patches) patch.point_count = 0;
+  for (const std::int32_t p : scene.graph.point_patch) {
+    if (p != kNone) ++patches[static_cast<std::size_t>(p)].point_count;
+  }
+  for (Segment& segment : scene.segments.segments) segment.point_count = 0;
+  for (SupportingPlane& plane : scene.planes) plane.point_count = 0;
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    scene.segments.segments[scene.segments.patch_label[i] - 1].point_count +=
+        patches[i].point_count;
+    const std::int32_t plane = scene.plane_of(i);
+    if (plane != kNone) {
+      scene.planes[static_cast<std::size_t>(plane)].point_count += patches[i].point_count;
+    }
+  }
+}
+
+// A speck may lose all of its points to both sides; a segment without points is none, so it gets
+// them back.
+void restore_emptied(Segmentation& scene, const std::vector<std::int32_t>& before) {
+  const std::vector<Segment>& segments = scene.segments.segments;
+  const auto emptied = [](const Segment& s) { return s.point_count == 0; };
+  if (std::ranges::none_of(segments, emptied)) return;
+  std::vector<std::int32_t>& point_patch = scene.graph.point_patch;
+  for (std::size_t i = 0; i < point_patch.size(); ++i) {
+    if (before[i] == kNone) continue;
+    const std::uint32_t label = scene.segments.patch_label[static_cast<std::size_t>(before[i])];
+    if (emptied(segments[label - 1])) point_patch[i] = before[i];
+  }
+  recount(scene);
+}
+
+}  // namespace
+
+void recut_borders(Segmentation& scene, const PointCloud& surface) {
+  const std::vector<Disc> discs = make_discs(scene);
+  const Rivals rivals = find_rivals(scene);
+  const std::vector<std::int32_t> before = scene.graph.point_patch;
+  std::vector<std::int32_t>& point_patch = scene.graph.point_patch;
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, point_patch.size(), 16384), [&](const auto& range) {
+        for (std::size_t i = range.begin(); i != range.end(); ++i) {
+          if (point_patch[i] == kNone) continue;
+          const auto own = static_cast<std::size_t>(point_patch[i]);
+          if (rivals.offsets[own] == rivals.offsets[own + 1]) continue;
+          const Eigen::Vector3f& p = surface.positions[i];
+          float least = kStay * discs[own].distance(p);
+          for (std::size_t k = rivals.offsets[own]; k < rivals.offsets[own + 1]; ++k) {
+            const std::uint32_t rival = rivals.patches[k];
+            const float distance = discs[rival].distance(p);
+            if (distance >= least) continue;
+            least = distance;
+            point_patch[i] = static_cast<std::int32_t>(rival);
+          }
+        }
+      });
+  recount(scene);
+  restore_emptied(scene, before);
+}
+
+}  // namespace planescope

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 the planescope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <tbb/global_control.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/command.hpp"
+#include "cli/console.hpp"
+#include "cli/scene_arguments.hpp"
+#include "planescope/error.hpp"
+#include "planescope/fusion.hpp"
+#include "planescope/io.hpp"
+
+namespace planescope::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using TbbLimit = tbb::global_control;
+
+struct Arguments {
+  Console console;
+  DepthArguments depth;
+  fs::path sequence, cloud, mesh;
+  std::size_t threads = 0;
+};
+
+void check_output(const char* option, const fs::path& file, bool pcd_too) {
+  const bool ply = file.extension() == ".ply", pcd = file.extension() == ".pcd";
+  if (!ply && !(pcd_too && pcd)) {
+    throw Error(Error::Kind::Usage, std::string(option) + " is `" + file.string() + "`; it takes " +
+                                        (pcd_too ? "*.ply or *.pcd" : "*.ply"));
+  }
+  const fs::path folder = file.parent_path();
+  if (!folder.empty() && !fs::is_directory(folder)) {  // before minutes are spent
+    throw Error(Error::Kind::Input, folder.string() + ": is no folder; make it first");
+  }
+}
+
+void print_json(const Arguments& a, const Sequence& sequence, const TsdfVolume& volume,
+                std::size_t points) {
+  nlohmann::ordered_json outcome = {{"cloud", a.cloud.string()},
+                                    {"points", points},
+                                    {"frames", volume.frames()},
+                                    {"frames_lost", sequence.lost()},
+                                    {"frames_without_pose", sequence.unposed()},
+                                    {"layout", name(sequence.layout())},
+                                    {"voxel_size", volume.options().voxel_size},
+                                    {"truncation", volume.options().truncation}};
+  if (!a.mesh.empty()) outcome["mesh"] = a.mesh.string();
+  const auto replace = nlohmann::ordered_json::error_handler_t::replace;
+  std::printf("%s\n", outcome.dump(1, ' ', false, replace).c_str());
+}
+
+void run(const Arguments& a) {
+  check_output("-o", a.cloud, true);
+  if (!a.mesh.empty()) check_output("--mesh", a.mesh, false);
+  std::unique_ptr<TbbLimit> limit;
+  if (a.threads > 0) {
+    limit = std::make_unique<TbbLimit>(TbbLimit::max_allowed_parallelism, a.threads);
+  }
+  const Sequence sequence = a.depth.open(a.sequence, a.console);
+  const TsdfVolume volume = fuse(sequence, a.depth.fusion, a.console);
+  PointCloud points;
+  if (a.mesh.empty()) {
+    points = volume.points();
+  } else {
+    Mesh mesh = volume.mesh();
+    write_mesh(mesh, a.mesh);
+    a.console.say(a.mesh.string() + ": " + std::to_string(mesh.triangles.size()) + " triangles");
+    points = std::move(mesh.vertices);
+  }
+  write_cloud(points, a.cloud);
+  a.console.say(a.cloud.string() + ": " + std::to_string(points.size()) + " points with normals" +
+                (points.has_colors() ? " and colours" : ""));
+  if (a.console.json) print_json(a, sequence, volume, points.size());
+}
+
+}  // namespace
+
+Command add_reconstruct(CLI::App& program) {
+  const auto a = std::make_shared<Arguments>();
+  CLI::App* command =
+      program.add_subcommand("reconstruct", "Fuse an RGB-D sequence with poses into a map");
+  command
+      ->add_option("SEQUENCE", a->sequence,
+                   "Folder: depth.txt, groundtruth.txt, rgb.txt (TUM); depth/, image/, "
+                   "trajectory.log (Open3D); or frame-*.depth.png, .pose.txt, .color.* (7-Scenes)")
+      ->required();
+  command->add_option("-o,--output", a->cloud, "The map's points, .ply or .pcd")
+      ->required()
+      ->type_name("CLOUD");
+  command->add_option("--mesh", a->mesh, "Its surface as triangles, too")->type_name("PLY");
+  a->depth.declare_camera(*command);
+  a->depth.declare_sequence(*command);
+  command->add_option("--threads", a->threads, "Threads at most (all); the result is the same")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+  a->console.declare(*command);
+  return {command, [a] { run(*a); }};
+}
+
+}  // namespace planescope::cli

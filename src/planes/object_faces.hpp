@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 the planescope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "planescope/pipeline.hpp"
+
+namespace planescope {
+
+/// Planar faces of objects (SupportingPlane::role), and which one each patch lies on.
+struct ObjectFaces {
+  std::vector<SupportingPlane> planes;   ///< by area, descending
+  std::vector<std::int32_t> patch_face;  ///< per patch: index into `planes`, or kNone
+};
+
+/// The paper's Section IV once more among the patches that no supporting plane took, for planes of
+/// at least options.face_area: table tops in a room, the sides of a cupboard. Differs from the
+/// paper's selection: the supporting planes stand, and a face pays four times the mean of eq. (6)'s
+/// angle term over them; among one another faces pay for overlap alone, because the sum over dozens
+/// of small faces, each a little noisy, would refuse them all. A face that is parallel or
+/// orthogonal to supporting planes within its own accuracy is fitted with exactly their direction.
+ObjectFaces find_object_faces(const PatchGraph& graph,
+                              const std::vector<SupportingPlane>& supporting,
+                              const std::vector<PatchPlane>& patch_plane,
+                              const PlaneOptions& options);
+
+/// Gives the patches of a face its normal: edges are then judged by a normal that hundreds of
+/// voxels agree on.
+void steady_normals(std::vector<Patch>& patches, const ObjectFaces& faces);
+
+}  // namespace planescope

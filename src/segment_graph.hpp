@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 the planescope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "planescope/options.hpp"
+#include "planescope/pipeline.hpp"
+
+namespace planescope {
+
+/// What segment() makes of patches: scene.graph is there; all but the labels of points is made anew,
+/// and scene.times.
+void segment_graph(Segmentation& scene, const Options& options, const Progress& progress = {});
+
+/// What holds for a patch holds for its points: fills point_label and point_plane from
+/// graph.point_patch.
+void label_points(Segmentation& scene);
+
+}  // namespace planescope

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 the planescope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "synthesize/camera.hpp"
+
+namespace planescope::synthesis {
+
+/// Cameras of a hand-held sensor that is carried twice around the room's middle, in free space: the
+/// first time it looks across the room, the second time outwards, turning over in between; it nods
+/// from above the horizon to 40 degrees below, so that ceiling and floor are seen too.
+std::vector<Camera> walk_through(const Room& room, std::uint64_t seed, std::uint32_t frames);
+
+}  // namespace planescope::synthesis
