@@ -23,6 +23,20 @@ struct Moments {
     yz += q.y() * q.z();
     zz += q.z() * q.z();
   }
+
+  /// Adds a set whose reference lies at `d` from ours.
+  void add_shifted(const Moments& other, const Eigen::Vector3f& d) {
+    const Eigen::Vector3f& s = other.first;
+    const float w = other.count;
+    count += w;
+    first += s + w * d;
+    xx += other.xx + (2 * s.x() + w * d.x()) * d.x();
+    yy += other.yy + (2 * s.y() + w * d.y()) * d.y();
+    zz += other.zz + (2 * s.z() + w * d.z()) * d.z();
+    xy += other.xy + s.x() * d.y() + (s.y() + w * d.y()) * d.x();
+    xz += other.xz + s.x() * d.z() + (s.z() + w * d.z()) * d.x();
+    yz += other.yz + s.y() * d.z() + (s.z() + w * d.z()) * d.y();
+  }
 };
 
 /// A plane through points by principal components.
