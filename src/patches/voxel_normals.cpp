@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -49,6 +50,16 @@ struct Sums {
             .zz = q[2]};
   }
 };
+
+using StoredSums = std::array<float, 12>;
+
+void store(const Sums& sums, StoredSums& to) {
+  sums.first.store(&to[0]), sums.squares.store(&to[4]), sums.products.store(&to[8]);
+}
+
+Sums load(const StoredSums& from) {
+  return {Float4::load(&from[0]), Float4::load(&from[4]), Float4::load(&from[8])};
+}
 
 // The smallest root of the characteristic polynomial of a positive semidefinite matrix of trace 1,
 // l^3 - l^2 + b l - c: Newton's steps from 0 rise towards it, and square the error once it is near.
@@ -140,13 +151,15 @@ std::vector<Eigen::Vector3f> estimate_voxel_normals(const VoxelGrid& grid,
   const auto at = [&](std::size_t v) { return Float4::load3(mean[v].data()); };
   constexpr std::array<float, 4> kCount = {0, 0, 0, 1};
   const Float4 counted = Float4::load(kCount.data());
-  std::vector<Sums> ring(grid.voxel_count());  // S(m), each about its voxel's own mean
+  // S(m), each about its voxel's own mean; the largest array of all, and each part of it is written
+  // first by the thread that needs it.
+  const auto ring = std::make_unique_for_overwrite<StoredSums[]>(grid.voxel_count());
   for_ranges(grid.voxel_count(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       Sums sum{.first = counted, .squares = {}, .products = {}};  // the voxel itself
       const Float4 origin = at(v) - counted;
       for (std::size_t k = offsets[v]; k < offsets[v + 1]; ++k) sum.add(at(neighbours[k]) - origin);
-      ring[v] = sum;
+      store(sum, ring[v]);
     }
   });
   std::vector<Eigen::Vector3f> normals(grid.voxel_count());
@@ -156,12 +169,13 @@ std::vector<Eigen::Vector3f> estimate_voxel_normals(const VoxelGrid& grid,
       std::array<Sums, 4> sums;
       for (std::size_t i = 0; i < 4; ++i) {
         const std::size_t v = first + std::min(i, count - 1);
-        Sums sum = ring[v];  // S(m) once more, as its own part of S(S(m))
-        sum.add_shifted(ring[v], Float4());
-        sum.first += counted;  // m
+        const Sums own = load(ring[v]);
+        Sums sum = own;
+        sum.add_shifted(own, Float4());  // S(m) once more, as its own part of S(S(m))
+        sum.first += counted;            // m
         const Float4 origin = at(v);
         for (std::size_t k = offsets[v]; k < offsets[v + 1]; ++k)
-          sum.add_shifted(ring[neighbours[k]], at(neighbours[k]) - origin);
+          sum.add_shifted(load(ring[neighbours[k]]), at(neighbours[k]) - origin);
         sums[i] = sum;
       }
       write_normals(sums, count, &normals[first]);

@@ -50,7 +50,8 @@ void run_tasks(std::size_t count, const Task& task) {
   std::exception_ptr failure;
   std::mutex failing;
   const auto work = [&] {
-    for (std::size_t k; (k = next++) < count;) {
+    // Relaxed: handing out numbers must not order the tasks, or it would hide their races.
+    for (std::size_t k; (k = next.fetch_add(1, std::memory_order_relaxed)) < count;) {
       try {
         task(k);
       } catch (...) {
