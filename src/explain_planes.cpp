@@ -95,7 +95,7 @@ struct PlaneExplainer::Parts {
     const Eigen::Vector3f c = index.centroid(at), n = index.normal(at);
     const Seed seed{{n, n.dot(c)}, c, static_cast<std::uint32_t>(at)};
     const PlaneSearch search(index, scene.options.planes);
-    const std::vector<Hypothesis> fits = search.fit_each({seed}, 0);
+    const std::vector<Hypothesis> fits = search.fit_each({seed}, {}, 0);
     if (fits.empty()) return;
     x.local.emplace();
     x.local->plane = fits[0].plane;
