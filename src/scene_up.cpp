@@ -61,6 +61,7 @@ Eigen::Vector3f scene_up(const Segmentation& scene, const PointCloud& cloud) {
     // normal keeps a part along the picture's up), and what is upright never does.
     return largest_level_plane(scene, picture_up(scene), 0.34f, false).up;
   }
+  if (cloud.up) return largest_level_plane(scene, *cloud.up, 0.85f, true).up;
   const Candidate z = largest_level_plane(scene, Eigen::Vector3f::UnitZ(), 0.9f, true);
   const Candidate y = largest_level_plane(scene, -Eigen::Vector3f::UnitY(), 0.9f, true);
   // Maps are mostly z-up; those in the frame of a first camera have y along the vertical and a wall

@@ -190,6 +190,15 @@ TEST(Sequence, WhatIsBrokenOfTumIsSaid) {
   expect_failure(folder / "t", "line 2: the quaternion is not of length 1");
 }
 
+// The fixture's cameras are turned by 90 degrees about z: down, their y, is -x of the world.
+TEST(Sequence, UpIsWhatCamerasHeldUp) {
+  const TemporaryFolder folder;
+  testing::write_redwood(folder / "r", 3);
+  const auto up = Sequence(folder / "r").up();
+  ASSERT_TRUE(up);
+  EXPECT_TRUE(up->isApprox(Eigen::Vector3f::UnitX())) << up->transpose();
+}
+
 TEST(Sequence, CamerasFromFiles) {
   const TemporaryFolder folder;
   write_bytes(folder / "c.json", R"({"width": 320, "height": 240,

@@ -39,6 +39,7 @@ struct PointCloud {
   std::uint32_t height = 1;  ///< rows of an organised cloud; else 1
   std::optional<Eigen::Vector3f>
       sensor;  ///< [m] sensor's position relative to `origin`, where known
+  std::optional<Eigen::Vector3f> up = {};  ///< unit, roughly, where known: how cameras were held
 
   std::size_t size() const noexcept { return positions.size(); }
   bool organised() const noexcept { return height > 1; }

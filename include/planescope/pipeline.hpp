@@ -91,7 +91,8 @@ Segmentation segment(const PointCloud& cloud, const Options& options,
 /// The scene's up direction, unit: the normal of the largest near-horizontal supporting plane. What
 /// counts as near-horizontal goes by a prior, which is also the answer where no plane decides:
 /// organised views look along +z with y down (or along -z with y up, if that is where their points
-/// lie), maps are taken as z-up unless the largest level plane along y is clearly larger.
+/// lie), maps are taken as z-up unless the largest level plane along y is clearly larger, or the
+/// cloud says otherwise (PointCloud::up).
 Eigen::Vector3f scene_up(const Segmentation& scene, const PointCloud& cloud);
 
 /// An edge's rule and numbers in words, one paragraph.

@@ -122,6 +122,10 @@ class Sequence {
   /// Where the camera's intrinsics are from, in words.
   const std::string& camera_source() const noexcept { return camera_source_; }
 
+  /// Up in the world, unit: the mean of what was up in the frames' pictures, because cameras are
+  /// held upright on the whole. Nothing where they were turned about evenly.
+  std::optional<Eigen::Vector3f> up() const;
+
   /// Reads a frame's images. \throws Error{Kind::Input} one is missing, damaged, or of another size
   /// than the camera's (colours: than the depth's).
   Frame read(std::size_t i) const;

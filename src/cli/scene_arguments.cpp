@@ -87,7 +87,9 @@ Scene SceneArguments::load_sequence(const Console& console) const {
   const std::string identity = sequence.hash() + " " + std::to_string(fusion.voxel_size) + " " +
                                std::to_string(fusion.truncation) + " " +
                                std::to_string(fusion.min_observations);
-  return {volume.points(), {folder.string(), hash_text(identity)}};
+  Scene scene{volume.points(), {folder.string(), hash_text(identity)}};
+  scene.cloud.up = sequence.up();
+  return scene;
 }
 
 TsdfVolume fuse(const Sequence& sequence, const FusionOptions& options, const Console& console) {

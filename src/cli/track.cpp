@@ -139,7 +139,9 @@ void run(Arguments& a) {
   follow(a, sequence, volume, tracker, tables);
   if (tracker.scene().graph.patches.empty()) volume.points();  // throws: says why
   const TrackResult result = tracker.finish(sequence.info(sequence.size() - 1).number);
-  write(a, tracker.map(), result, tables, {a.sequence.filename().string(), sequence.hash()});
+  PointCloud map = tracker.map();
+  map.up = sequence.up();
+  write(a, map, result, tables, {a.sequence.filename().string(), sequence.hash()});
   char text[256];
   std::snprintf(
       text, sizeof text,

@@ -131,6 +131,13 @@ Frame Sequence::read(std::size_t i) const {
   return frame;
 }
 
+std::optional<Eigen::Vector3f> Sequence::up() const {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const FrameInfo& frame : frames_) sum -= frame.pose.linear().col(1);  // y is down
+  if (sum.norm() < 0.3 * static_cast<double>(frames_.size())) return std::nullopt;
+  return sum.normalized().cast<float>();
+}
+
 std::string Sequence::hash() const {
   std::string text;
   for (const FrameInfo& frame : frames_) {
