@@ -71,47 +71,29 @@ Rivals find_rivals(const Segmentation& scene) {
   return rivals;
 }
 
-// Patches, segments and planes count the points that they now have.
-void recount(Segmentation& scene) {
-  std::vector<Patch>& patches = scene.graph.patches;
-  for (Patch& patch : patches) patch.point_count = 0;
-  for (const std::int32_t p : scene.graph.point_patch) {
-    if (p != kNone) ++patches[static_cast<std::size_t>(p)].point_count;
-  }
-  for (Segment& segment : scene.segments.segments) segment.point_count = 0;
-  for (SupportingPlane& plane : scene.planes) plane.point_count = 0;
-  for (std::size_t i = 0; i < patches.size(); ++i) {
-    scene.segments.segments[scene.segments.patch_label[i] - 1].point_count +=
-        patches[i].point_count;
-    const std::int32_t plane = scene.plane_of(i);
-    if (plane != kNone) {
-      scene.planes[static_cast<std::size_t>(plane)].point_count += patches[i].point_count;
-    }
-  }
-}
-
 // A speck may lose all of its points to both sides; a segment without points is none, so it gets
 // them back.
-void restore_emptied(Segmentation& scene, const std::vector<std::int32_t>& before) {
-  const std::vector<Segment>& segments = scene.segments.segments;
-  const auto emptied = [](const Segment& s) { return s.point_count == 0; };
-  if (std::ranges::none_of(segments, emptied)) return;
-  std::vector<std::int32_t>& point_patch = scene.graph.point_patch;
-  for (std::size_t i = 0; i < point_patch.size(); ++i) {
-    if (before[i] == kNone) continue;
-    const std::uint32_t label = scene.segments.patch_label[static_cast<std::size_t>(before[i])];
-    if (emptied(segments[label - 1])) point_patch[i] = before[i];
+void restore_emptied(const Segmentation& scene, std::vector<std::int32_t>& point_patch) {
+  const std::vector<std::int32_t>& before = scene.graph.point_patch;
+  const auto label_of = [&](std::int32_t p) {
+    return scene.segments.patch_label[static_cast<std::size_t>(p)];
+  };
+  std::vector<std::uint8_t> holds(scene.segments.segments.size() + 1, 0);
+  for (const std::int32_t p : point_patch) {
+    if (p != kNone) holds[label_of(p)] = 1;
   }
-  recount(scene);
+  if (std::find(holds.begin() + 1, holds.end(), 0) == holds.end()) return;
+  for (std::size_t i = 0; i < point_patch.size(); ++i) {
+    if (before[i] != kNone && holds[label_of(before[i])] == 0) point_patch[i] = before[i];
+  }
 }
 
 }  // namespace
 
-void recut_borders(Segmentation& scene, const PointCloud& surface) {
+std::vector<std::int32_t> recut_borders(const Segmentation& scene, const PointCloud& surface) {
   const std::vector<Disc> discs = make_discs(scene);
   const Rivals rivals = find_rivals(scene);
-  const std::vector<std::int32_t> before = scene.graph.point_patch;
-  std::vector<std::int32_t>& point_patch = scene.graph.point_patch;
+  std::vector<std::int32_t> point_patch = scene.graph.point_patch;
   tbb::parallel_for(
       tbb::blocked_range<std::size_t>(0, point_patch.size(), 16384), [&](const auto& range) {
         for (std::size_t i = range.begin(); i != range.end(); ++i) {
@@ -129,8 +111,8 @@ void recut_borders(Segmentation& scene, const PointCloud& surface) {
           }
         }
       });
-  recount(scene);
-  restore_emptied(scene, before);
+  restore_emptied(scene, point_patch);
+  return point_patch;
 }
 
 }  // namespace planescope

@@ -68,8 +68,7 @@ void add_faces(Segmentation& scene, const PlaneOptions& options) {
 
 }  // namespace
 
-void label_points(Segmentation& scene) {
-  const std::vector<std::int32_t>& point_patch = scene.graph.point_patch;
+void label_points(Segmentation& scene, const std::vector<std::int32_t>& point_patch) {
   scene.point_label.resize(point_patch.size());
   scene.point_plane.resize(point_patch.size());
   tbb::parallel_for(
@@ -81,6 +80,14 @@ void label_points(Segmentation& scene) {
           scene.point_plane[i] = in_patch ? scene.plane_of(p) : kNone;
         }
       });
+  for (Segment& segment : scene.segments.segments) segment.point_count = 0;
+  for (SupportingPlane& plane : scene.planes) plane.point_count = 0;
+  for (std::size_t i = 0; i < point_patch.size(); ++i) {
+    if (scene.point_label[i] != kNoSegment)
+      ++scene.segments.segments[scene.point_label[i] - 1].point_count;
+    if (scene.point_plane[i] != kNone)
+      ++scene.planes[static_cast<std::size_t>(scene.point_plane[i])].point_count;
+  }
 }
 
 std::string_view name(PlaneRole role) { return role == PlaneRole::Face ? "face" : "plane"; }
@@ -129,8 +136,7 @@ Segmentation segment(const PointCloud& cloud, const Options& options, const Prog
   clock.start(other);
   segment_graph(scene, options, progress);
   clock.start(scene.times.segments);
-  recut_borders(scene, surface);
-  label_points(scene);
+  label_points(scene, recut_borders(scene, surface));
   clock.start(other);
   return scene;
 }

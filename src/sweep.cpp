@@ -72,8 +72,7 @@ std::vector<std::uint32_t> point_labels(const Segmentation& scene, const PointCl
   then.edges = std::move(outcome.edges);
   then.segments = std::move(outcome.segments);
   const double smoothing = options.patches.smoothing;
-  recut_borders(then, smoothing > 0 ? smooth_points(cloud, smoothing) : cloud);
-  label_points(then);
+  label_points(then, recut_borders(then, smoothing > 0 ? smooth_points(cloud, smoothing) : cloud));
   return then.point_label;
 }
 

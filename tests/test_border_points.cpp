@@ -31,10 +31,7 @@ struct TwoPatches {
     scene.graph.point_patch.back() = 1;
   }
 
-  std::vector<std::int32_t> recut() {
-    recut_borders(scene, cloud);
-    return scene.graph.point_patch;
-  }
+  std::vector<std::int32_t> recut() const { return recut_borders(scene, cloud); }
 };
 
 TEST(BorderPoints, GoToTheSurfaceThatTheyLieNearerTo) {
@@ -45,10 +42,6 @@ TEST(BorderPoints, GoToTheSurfaceThatTheyLieNearerTo) {
   // (0.02, 0, 0): the wall's own, at 0.95 * 0.08; the floor has 0: moves.
   TwoPatches two({V(0.09f, 0, 0.05f), V(0.05f, 0, 0.001f), V(0.09f, 0, 0.014f), V(0.02f, 0, 0)});
   EXPECT_EQ(two.recut(), (std::vector<std::int32_t>{1, 0, 0, 0}));
-  EXPECT_EQ(two.scene.graph.patches[0].point_count, 3u);
-  EXPECT_EQ(two.scene.graph.patches[1].point_count, 1u);
-  EXPECT_EQ(two.scene.segments.segments[1].point_count, 1u);
-  EXPECT_EQ(two.scene.planes[0].point_count, 3u);
 }
 
 TEST(BorderPoints, WhatLiesBesideAPatchCountsATenth) {
@@ -70,7 +63,6 @@ TEST(BorderPoints, ASegmentKeepsItsLastPoints) {
   // Alone, the wall's only point lies on the floor: it would leave a segment without points.
   TwoPatches two({V(0.05f, 0, 0.001f), V(0.02f, 0, 0)});
   EXPECT_EQ(two.recut(), (std::vector<std::int32_t>{0, 1}));
-  EXPECT_EQ(two.scene.segments.segments[1].point_count, 1u);
 }
 
 }  // namespace

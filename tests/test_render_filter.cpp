@@ -212,7 +212,7 @@ TEST(RenderFilter, TakesNormalsAndTheSensor) {
   EXPECT_TRUE(plain->GetSegmentation().graph.patches.size() ==
               seen->GetSegmentation().graph.patches.size());
   for (const Patch& patch : seen->GetSegmentation().graph.patches)
-    EXPECT_GE(patch.normal.dot(Eigen::Vector3f(0, 0, 50) - patch.centroid), 0);
+    EXPECT_GE(patch.own_normal.dot(Eigen::Vector3f(0, 0, 50) - patch.centroid), 0);
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ void MapTracker::State::complete() {
     base += static_cast<std::int32_t>(tile.graph.patches.size());
   }
   map.width = static_cast<std::uint32_t>(map.size());
-  label_points(scene);
+  label_points(scene, scene.graph.point_patch);
   completed = true;
 }
 
