@@ -19,6 +19,7 @@
 #include "planescope/error.hpp"
 #include "planescope/options.hpp"
 #include "single_scan.hpp"
+#include "union_find.hpp"
 
 namespace planescope {
 namespace {
@@ -230,8 +231,27 @@ void find_ranges(const PointCloud& cloud, const std::vector<std::uint32_t>& fini
   scale.far_range = double(sightings[sightings.size() * 9 / 10].range);
 }
 
+// How well voxels hang together: of two voxels taken at random, the chance that a way over adjacent
+// ones leads from the one to the other.
+double connectivity(const VoxelGrid& grid) {
+  UnionFind sets(grid.voxel_count());
+  for (std::uint32_t v = 0; v < grid.voxel_count(); ++v) {
+    for (std::size_t k = grid.neighbour_offsets[v]; k < grid.neighbour_offsets[v + 1]; ++k) {
+      if (grid.neighbours[k] < v) sets.unite(v, grid.neighbours[k]);
+    }
+  }
+  std::vector<double> size(grid.voxel_count(), 0);
+  for (std::uint32_t v = 0; v < grid.voxel_count(); ++v) ++size[sets.find(v)];
+  double squares = 0;
+  for (const double s : size) squares += s * s;
+  return squares / (double(grid.voxel_count()) * double(grid.voxel_count()));
+}
+
+// Where the points lie in rows, as a fused map's vertices do, voxels about as wide as the rows are
+// apart leave whole rows empty in places (a moire), and cut surfaces into tiles: what hangs
+// together in voxels twice as wide has to hang together in these.
 double find_connected_voxel(const PointCloud& cloud, double smallest, const CloudScale& scale) {
-  constexpr double kWantedDegree = 5, kStep = 1.25;
+  constexpr double kWantedDegree = 5, kStep = 1.25, kWantedShare = 0.8;
   constexpr int kSteps = 6;
   double size = smallest;
   if (cloud.organised()) return size;  // a picture's pixels are as dense along as across
@@ -243,10 +263,12 @@ double find_connected_voxel(const PointCloud& cloud, double smallest, const Clou
   }
   const PointCloud& seen = scale.median_range > 0 ? warped : cloud;
   try {
+    const double whole = connectivity(make_voxel_grid(seen, 2 * smallest, false));
     for (int step = 0; step < kSteps; ++step, size *= kStep) {
       const VoxelGrid grid = make_voxel_grid(seen, size, false);
       const auto degree = double(grid.neighbours.size()) / double(grid.voxel_count());
-      if (degree >= kWantedDegree) break;
+      const bool map = scale.median_range == 0;
+      if (degree >= kWantedDegree && (!map || connectivity(grid) >= kWantedShare * whole)) break;
     }
   } catch (const Error&
                error) {  // an outlier beyond any grid: make_patches() says so, not a measurement

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kFewestPatches = 20;  // of fewer, a cylinder's side is a plane too
 constexpr double kFrameWeight = 4;     // a face pays as for this many supporting planes
-constexpr double kFaceSigma = 0.5;     // of sigma: the steps of furniture are smaller than a room's
+constexpr double kFaceSigma = 0.4;     // of sigma: the steps of furniture are smaller than a room's
 
 // The patches that lie on no supporting plane, with the edges among them.
 struct FreePatches {
