@@ -62,12 +62,12 @@ exec "$program" "\$@"
 END
 chmod +x wrapper
 code=0
-batch 'scenes/*.ply' -o bad --program ./wrapper --time-limit 8 --memory-limit 250 >/dev/null 2>stderr || code=$?
+batch 'scenes/*.ply' -o bad --program ./wrapper --time-limit 20 --memory-limit 250 >/dev/null 2>stderr || code=$?
 [[ $code == 6 ]] || fail "exits with $code where scenes failed: $(cat stderr)"
 grep -q '8 of 16 jobs failed' stderr || fail "$(cat stderr)"
 diff <(scores whole) <(scores bad) || fail "bad scenes changed the scores of the good ones"
 reason() { sed -n 's/.*"reason": "\(.*\)",/\1/p' "bad/$1/ours/job.json"; }
 [[ $(reason crash) == "was ended by signal 11"* ]] || fail "crash: $(reason crash)"
-[[ $(reason hang) == "took longer than 8 s"* ]] || fail "hang: $(reason hang)"
+[[ $(reason hang) == "took longer than 20 s"* ]] || fail "hang: $(reason hang)"
 [[ $(reason half) == "exit code 3: "*half.ply* ]] || fail "half: $(reason half)"
 [[ $(reason hungry) == "exit code 4: out of memory"* ]] || fail "hungry: $(reason hungry)"
