@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <numbers>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kFewestPatches = 20;  // of fewer, a cylinder's side is a plane too
 constexpr double kFrameWeight = 4;     // a face pays as for this many supporting planes
-constexpr double kFaceSigma = 0.4;     // of sigma: the steps of furniture are smaller than a room's
+constexpr double kFaceSigma = 0.45;    // of sigma: the steps of furniture are smaller than a room's
 
 // The patches that lie on no supporting plane, with the edges among them.
 struct FreePatches {
@@ -87,8 +87,8 @@ PlaneSelection select_faces(const FreePatches& part, double lambda,
 // two, where it deviates from them by less than `tolerance` degrees; else `normal` itself.
 Eigen::Vector3f align(const Eigen::Vector3f& normal, const std::vector<SupportingPlane>& standing,
                       double tolerance) {
-  const float parallel = std::cos(static_cast<float>(tolerance * M_PI / 180));
-  const float orthogonal = std::sin(static_cast<float>(tolerance * M_PI / 180));
+  const float parallel = std::cos(static_cast<float>(tolerance * std::numbers::pi / 180));
+  const float orthogonal = std::sin(static_cast<float>(tolerance * std::numbers::pi / 180));
   const auto along = [&](const Eigen::Vector3f& direction) {
     return direction.dot(normal) < 0 ? Eigen::Vector3f(-direction) : direction;
   };
