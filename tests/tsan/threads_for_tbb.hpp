@@ -46,25 +46,27 @@ inline int max_concurrency() { return static_cast<int>(global_control::limit().l
 /// is thrown on once all have ended.
 template <typename Task>
 void run_tasks(std::size_t count, const Task& task) {
-  std::atomic<std::size_t> next = 0;
+  const std::size_t threads = std::min<std::size_t>(count, global_control::limit());
+  std::atomic<bool> failed = false;
   std::exception_ptr failure;
   std::mutex failing;
-  const auto work = [&] {
-    // Relaxed: handing out numbers must not order the tasks, or it would hide their races.
-    for (std::size_t k; (k = next.fetch_add(1, std::memory_order_relaxed)) < count;) {
+  // Every thread has tasks of its own: were they handed out as threads come free, the first could
+  // have done all of them before the second starts, and there would be no race to be seen.
+  const auto work = [&](std::size_t first) {
+    for (std::size_t k = first; k < count && !failed.load(std::memory_order_relaxed);
+         k += threads) {
       try {
         task(k);
       } catch (...) {
         const std::lock_guard lock(failing);
         if (!failure) failure = std::current_exception();
-        next = count;
+        failed.store(true, std::memory_order_relaxed);
       }
     }
   };
   std::vector<std::thread> others;
-  const std::size_t threads = std::min<std::size_t>(count, global_control::limit());
-  for (std::size_t t = 1; t < threads; ++t) others.emplace_back(work);
-  work();
+  for (std::size_t t = 1; t < threads; ++t) others.emplace_back(work, t);
+  work(0);
   for (std::thread& other : others) other.join();
   if (failure) std::rethrow_exception(failure);
 }
