@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+
+#include "patches/patch_disc.hpp"
 
 namespace planescope {
 namespace {
@@ -21,26 +22,12 @@ constexpr float kAlong = 0.1f;    // weight of the distance beyond the patch's r
 constexpr float kOnPlane = 0.7f;  // weight of the distance to a plane or face
 constexpr float kStay = 0.95f;    // weight of the distance to the patch that has the point
 
-// A patch as points see it: a disc on its plane.
-struct Disc {
-  Eigen::Vector3f normal, center;
-  float radius = 0, weight = 1;
-
-  float distance(const Eigen::Vector3f& p) const {
-    const Eigen::Vector3f d = p - center;
-    const float above = normal.dot(d);
-    const float beside = (d - above * normal).norm();
-    return weight * std::abs(above) + kAlong * std::max(0.0f, beside - radius);
-  }
-};
-
-std::vector<Disc> make_discs(const Segmentation& scene) {
-  std::vector<Disc> discs(scene.graph.patches.size());
+std::vector<PatchDisc> make_discs(const Segmentation& scene) {
+  std::vector<PatchDisc> discs(scene.graph.patches.size());
   for (std::size_t i = 0; i < discs.size(); ++i) {
     const Patch& patch = scene.graph.patches[i];
     const std::int32_t plane = scene.plane_of(i);
-    discs[i] = {patch.normal, patch.centroid, std::sqrt(patch.area / std::numbers::pi_v<float>),
-                1.0f};
+    discs[i] = PatchDisc::of(patch);
     if (plane == kNone) continue;
     const Plane& fit = scene.planes[static_cast<std::size_t>(plane)].plane;
     discs[i].normal = fit.normal;
@@ -91,7 +78,7 @@ void restore_emptied(const Segmentation& scene, std::vector<std::int32_t>& point
 }  // namespace
 
 std::vector<std::int32_t> recut_borders(const Segmentation& scene, const PointCloud& surface) {
-  const std::vector<Disc> discs = make_discs(scene);
+  const std::vector<PatchDisc> discs = make_discs(scene);
   const Rivals rivals = find_rivals(scene);
   std::vector<std::int32_t> point_patch = scene.graph.point_patch;
   tbb::parallel_for(
@@ -101,10 +88,10 @@ std::vector<std::int32_t> recut_borders(const Segmentation& scene, const PointCl
           const auto own = static_cast<std::size_t>(point_patch[i]);
           if (rivals.offsets[own] == rivals.offsets[own + 1]) continue;
           const Eigen::Vector3f& p = surface.positions[i];
-          float least = kStay * discs[own].distance(p);
+          float least = kStay * discs[own].distance(p, kAlong);
           for (std::size_t k = rivals.offsets[own]; k < rivals.offsets[own + 1]; ++k) {
             const std::uint32_t rival = rivals.patches[k];
-            const float distance = discs[rival].distance(p);
+            const float distance = discs[rival].distance(p, kAlong);
             if (distance >= least) continue;
             least = distance;
             point_patch[i] = static_cast<std::int32_t>(rival);

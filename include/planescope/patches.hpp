@@ -63,7 +63,8 @@ NeighbourTable make_neighbour_table(std::size_t patch_count,
 
 /// Voxelises the cloud at `voxel_size`, estimates normals over two rings of voxels, and grows
 /// patches from seeds at distance `patch_size` over adjacent voxels (VCCS, Papon et al., CVPR
-/// 2013). Every finite point ends in a patch or, if no seed reaches its voxel, in kNone. Normals
+/// 2013). Every finite point ends in a patch or, if no seed reaches its voxel, in kNone;
+/// at creases points go to the nearer surface, whatever voxel they are in. Normals
 /// point to the cloud's sensor where it is known, else agree with given normals, else are made
 /// consistent over the graph and turned to the inside of the scene. A few points so far away that
 /// the grid would not hold them are left out, and counted. Same patches at any thread

@@ -13,6 +13,7 @@
 #include "patches/growth.hpp"
 #include "patches/moments.hpp"
 #include "patches/orientation.hpp"
+#include "patches/point_borders.hpp"
 #include "patches/range_warp.hpp"
 #include "patches/voxel_grid.hpp"
 #include "patches/voxel_normals.hpp"
@@ -245,6 +246,7 @@ PatchGraph make_patches(const PointCloud& cloud, const PatchOptions& options,
   graph.patches = describe_patches({grid, warp, mean, normals}, members);
   graph.adjacency = find_adjacency(grid, label, members);
   graph.point_patch = label_points(grid.point_voxel, label);
+  cut_at_creases(cloud, graph);
   const std::vector<Eigen::Vector3f> votes =
       gather_point_votes(cloud, cloud.has_normals() && !sensor, graph);
   if (sensor) {
