@@ -101,7 +101,9 @@ std::vector<PanelLine> panel_of(const PlaneExplanation& x) {
                        number(static_cast<double>(x.plane.area)) + " m^2, rms " +
                        length_words(static_cast<double>(x.plane.rms)),
                    Style::Strong, draw::kInk});
-  panel.push_back({"chosen as hypothesis " + std::to_string(x.chosen.index) + ": " +
+  panel.push_back({(x.plane.role == PlaneRole::Face
+                        ? face_words() + ": "
+                        : "chosen as hypothesis " + std::to_string(x.chosen.index) + ": ") +
                        hypothesis_words(x.chosen.hypothesis, x.lambda) +
                        ", E with it minus E without it " + number(x.chosen.hypothesis.flip_cost),
                    Style::Small, draw::kInk});
@@ -116,8 +118,9 @@ std::vector<PanelLine> panel_of(const PlaneExplanation& x) {
   }
   if (!shares.empty()) panel.push_back({shares, Style::Small, draw::kInk});
   panel.push_back({"", Style::Space, {}});
-  panel.push_back({x.beaten.empty() ? "it beat no hypothesis" : "it cost these their place",
-                   Style::Small, kFaint});
+  if (x.plane.role == PlaneRole::Support)
+    panel.push_back({x.beaten.empty() ? "it beat no hypothesis" : "it cost these their place",
+                     Style::Small, kFaint});
   for (std::size_t i = 0; i < std::min(kMostOutlines, x.beaten.size()); ++i)
     add_hypothesis(panel, x.beaten[i], x.lambda, kOutlines[i], "");
   add_flips(panel, x.flips, "would not be there with");
@@ -133,6 +136,9 @@ std::vector<PanelLine> panel_of(const MissingExplanation& x) {
       {"patch " + std::to_string(x.patch.id) + ", " + length_words(x.distance) + " from the place",
        Style::Swatch, draw::kWrong});
   panel.push_back({patch_words(x.patch), Style::Small, draw::kInk});
+  if (x.face != kNone)
+    panel.push_back(
+        {"no supporting plane, but face " + std::to_string(x.face), Style::Small, draw::kInk});
   panel.push_back({"", Style::Space, {}});
   if (x.local) {
     panel.push_back({"what grows from it: " + hypothesis_words(*x.local, x.lambda), Style::Swatch,
@@ -159,7 +165,7 @@ void draw_close_up(const StoredScene& stored, const PlaneExplanation& x,
   CloseUp what;
   std::vector<std::uint32_t> patches;
   for (std::uint32_t p = 0; p < stored.scene.patch_plane.size(); ++p) {
-    if (stored.scene.patch_plane[p].plane != static_cast<std::int32_t>(x.index)) continue;
+    if (stored.scene.plane_of(p) != static_cast<std::int32_t>(x.index)) continue;
     patches.push_back(p);
     what.patches[p] = draw::lighten(draw::kFirstPatch, 0.4);
   }

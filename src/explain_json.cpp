@@ -129,6 +129,7 @@ Json to_json(const PlaneExplanation& x) {
   for (const ObjectShare& share : x.truth)
     truth.push_back({{"truth", share.truth}, {"points", share.points}});
   return {{"plane", x.index},
+          {"role", x.plane.role == PlaneRole::Face ? "face" : "support"},
           {"normal", vector(x.plane.plane.normal)},
           {"distance", x.plane.plane.distance},
           {"patches", x.plane.patch_count},
@@ -151,6 +152,7 @@ Json to_json(const MissingExplanation& x) {
   return {{"place", vector(x.place)},
           {"distance", x.distance},
           {"nearest", patch_json(x.patch)},
+          {"face", x.face == kNone ? Json() : Json(x.face)},
           {"lambda", x.lambda},
           {"local", x.local ? hypothesis_json(*x.local) : Json()},
           {"hypotheses", std::move(near)},

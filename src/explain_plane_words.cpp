@@ -94,7 +94,9 @@ std::string describe(const PlaneExplanation& x) {
                      std::to_string(x.plane.point_count) + " points, " +
                      number(static_cast<double>(x.plane.area)) + " m^2, rms " +
                      length_words(static_cast<double>(x.plane.rms)) + "\n";
-  text += "  chosen as hypothesis " + std::to_string(x.chosen.index) + ": " +
+  text += (x.plane.role == PlaneRole::Face
+               ? "  " + face_words() + ": "
+               : "  chosen as hypothesis " + std::to_string(x.chosen.index) + ": ") +
           hypothesis_words(h, x.lambda) + "; " + cost_words(h) + "\n";
   text += x.chosen.pairs.empty() ? "  it pays for no other plane\n"
                                  : "  it pays for others:\n" + pairs_words(x.chosen.pairs);
@@ -108,6 +110,8 @@ std::string describe(const MissingExplanation& x) {
                      " from the nearest patch\n  " + patch_words(x.patch) + "\n";
   if (x.patch.plane != kNone)
     text += "  so there is a plane: ask --plane " + std::to_string(x.patch.plane) + "\n";
+  if (x.face != kNone)
+    text += "  no supporting plane, but a face: ask --plane " + std::to_string(x.face) + "\n";
   text += local_words(x) + near_words(x);
   if (!x.flips.empty()) text += "  would lie on a plane with:\n" + flips_words(x.flips);
   return text;

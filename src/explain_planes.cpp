@@ -8,6 +8,7 @@
 
 #include "patch_report.hpp"
 #include "planes/energy.hpp"
+#include "planes/object_faces.hpp"
 #include "planes/plane_search.hpp"
 #include "planescope/error.hpp"
 #include "what_if.hpp"
@@ -30,10 +31,15 @@ std::vector<Hypothesis> with_inliers(const PatchIndex& index, const PlaneSelecti
   return all;
 }
 
-/// The plane that most of these patches lie on in a trial, if that is most of them all.
-std::int32_t successor(const Trial& trial, const std::vector<std::uint32_t>& patches) {
+/// The plane that most of these patches lie on in a trial, if that is most of them all. A face is
+/// no successor to a supporting plane.
+std::int32_t successor(const Trial& trial, const std::vector<std::uint32_t>& patches,
+                       bool with_faces) {
   std::map<std::int32_t, std::size_t> counts;
-  for (const std::uint32_t p : patches) ++counts[trial.patch_plane[p].plane];
+  for (const std::uint32_t p : patches) {
+    const std::int32_t plane = trial.patch_plane[p].plane;
+    ++counts[plane == kNone && with_faces ? trial.patch_face[p] : plane];
+  }
   for (const auto& [plane, count] : counts)
     if (plane != kNone && 2 * count > patches.size()) return plane;
   return kNone;
@@ -73,6 +79,38 @@ struct PlaneExplainer::Parts {
       if (k != m && pair.cost() > kNothing) r.pairs.push_back(pair);
     }
     std::ranges::stable_sort(r.pairs, std::greater<>(), &PairCost::cost);
+    return r;
+  }
+
+  /// A face and what it pays for each supporting plane; the overlap with other faces is left out.
+  HypothesisReport face_report(const SupportingPlane& face, double& lambda) const {
+    PatchGraph own = scene.graph;
+    for (Patch& patch : own.patches) patch.normal = patch.own_normal;
+    std::vector<SupportingPlane> supporting;
+    std::vector<std::int32_t> ids;
+    for (std::size_t p = 0; p < scene.planes.size(); ++p) {
+      if (scene.planes[p].role != PlaneRole::Support) continue;
+      supporting.push_back(scene.planes[p]);
+      ids.push_back(static_cast<std::int32_t>(p));
+    }
+    const FaceTerms terms =
+        face_terms(face.plane, own, supporting, scene.patch_plane, scene.options.planes);
+    lambda = terms.lambda;
+    HypothesisReport r;
+    r.hypothesis.plane = face.plane;
+    r.hypothesis.selected = true;
+    r.hypothesis.inlier_count = static_cast<std::uint32_t>(terms.inliers.size());
+    for (const std::uint32_t p : terms.inliers)
+      r.hypothesis.inlier_area += scene.graph.patches[p].area;
+    r.hypothesis.data_cost = r.hypothesis.flip_cost = terms.data_cost;
+    for (std::size_t k = 0; k < supporting.size(); ++k) {
+      r.hypothesis.flip_cost += terms.angle_cost[k];
+      const double angle = manhattan_deviation(face.plane.normal, supporting[k].plane.normal);
+      if (terms.angle_cost[k] > kNothing)
+        r.pairs.push_back({supporting[k].hypothesis, ids[k], angle, terms.angle_cost[k], 0});
+    }
+    std::ranges::stable_sort(r.pairs, std::greater<>(), &PairCost::cost);
+    r.inliers = terms.inliers;
     return r;
   }
 
@@ -136,10 +174,6 @@ PlaneExplanation PlaneExplainer::plane(std::uint32_t index, const std::vector<st
   if (index >= scene.planes.size())
     throw Error(Error::Kind::Usage, "explain: there is no plane " + std::to_string(index) +
                                         "; the scene has " + std::to_string(scene.planes.size()));
-  if (scene.planes[index].role != PlaneRole::Support)
-    throw Error(Error::Kind::Usage, "explain: plane " + std::to_string(index) +
-                                        " is a face of an object (planes.face_area): it was not "
-                                        "selected, and cuts nothing; ask for a supporting plane");
   if (!truth.empty() && truth.size() != scene.point_plane.size())
     throw Error(Error::Kind::Input, "truth: has " + std::to_string(truth.size()) +
                                         " points, the scene has " +
@@ -147,11 +181,12 @@ PlaneExplanation PlaneExplainer::plane(std::uint32_t index, const std::vector<st
   PlaneExplanation x;
   x.index = index;
   x.plane = scene.planes[index];
+  const bool is_face = x.plane.role == PlaneRole::Face;
   x.lambda = scene.selection.lambda;
-  x.chosen = parts_->report(x.plane.hypothesis);
+  x.chosen = is_face ? parts_->face_report(x.plane, x.lambda) : parts_->report(x.plane.hypothesis);
   for (std::uint32_t m = 0; m < scene.selection.hypotheses.size(); ++m) {
     const PlaneHypothesis& h = scene.selection.hypotheses[m];
-    if (!h.selected && h.blocked_by == static_cast<std::int32_t>(x.plane.hypothesis))
+    if (!is_face && !h.selected && h.blocked_by == static_cast<std::int32_t>(x.plane.hypothesis))
       x.beaten.push_back(parts_->report(m));
   }
   std::map<std::uint32_t, std::uint64_t> shares;
@@ -162,13 +197,16 @@ PlaneExplanation PlaneExplainer::plane(std::uint32_t index, const std::vector<st
   if (with_flips == Flips::Skip) return x;
   std::vector<std::uint32_t> patches;
   for (std::uint32_t p = 0; p < scene.patch_plane.size(); ++p)
-    if (scene.patch_plane[p].plane == static_cast<std::int32_t>(index)) patches.push_back(p);
+    if (scene.plane_of(p) == static_cast<std::int32_t>(index)) patches.push_back(p);
   constexpr float kSame = 0.985f;  // 10 degrees
-  x.flips = parts_->what_if.seek_plane_flips([&](const Trial& trial) {
-    const std::int32_t next = successor(trial, patches);
+  const auto is_gone = [&](const Trial& trial) {
+    const std::int32_t next = successor(trial, patches, is_face);
     return next == kNone || std::abs(trial.planes[static_cast<std::size_t>(next)].plane.normal.dot(
                                 x.plane.plane.normal)) < kSame;
-  });
+  };
+  x.flips = is_face
+                ? parts_->what_if.seek_plane_flips(is_gone, {"planes.face_area", "planes.sigma"})
+                : parts_->what_if.seek_plane_flips(is_gone);
   return x;
 }
 
@@ -180,6 +218,7 @@ MissingExplanation PlaneExplainer::missing(const Eigen::Vector3f& place, double 
   x.patch = report_patch(scene, patch_at(scene, place));
   x.distance = static_cast<double>((x.patch.patch.centroid - place).norm());
   x.lambda = scene.selection.lambda;
+  if (!scene.patch_face.empty()) x.face = scene.patch_face[x.patch.id];
   const std::size_t at = parts_->position(x.patch.id);
   parts_->add_local_plane(x, at);
   if (!(radius > 0)) radius = 2 * static_cast<double>(scene.graph.patch_size);

@@ -92,6 +92,11 @@ std::string hypothesis_words(const PlaneHypothesis& h, double lambda) {
          number(-gain);
 }
 
+std::string face_words() {
+  return "a face of an object (planes.face_area): no supporting plane has its patches, and it cuts "
+         "nothing";
+}
+
 std::string pair_words(const PairCost& pair) {
   std::string text = "V " + number(pair.cost()) + " with ";
   text += pair.plane == kNone ? "hypothesis " + std::to_string(pair.hypothesis)

@@ -31,6 +31,8 @@ std::string flip_words(const Flip& flip);
 std::string patch_words(const PatchReport& report);
 std::string measure_words(const Measure& measure);
 std::string hypothesis_words(const PlaneHypothesis& hypothesis, double lambda);
+/// What it means that a plane is a face.
+std::string face_words();
 std::string pair_words(const PairCost& pair);
 /// The numbers of its patches, each after a space.
 std::string patches_words(const Chain& chain);

@@ -43,7 +43,7 @@ std::vector<Rung> rungs(const std::string& option, double now) {
   };
   if (option == "planes.sigma")
     scaled({0.95, 0.9, 0.8, 0.7, 0.6, 0.5, 0.35, 0.25, 1.05, 1.1, 1.25, 1.5, 2, 3, 4});
-  else if (option == "planes.min_area")
+  else if (option == "planes.min_area" || option == "planes.face_area")
     scaled({0.8, 0.6, 0.4, 0.25, 0.15, 0.1, 0.05, 1.25, 1.6, 2.5, 4, 6, 10});
   else if (option == "planes.smoothness")
     scaled({0, 0.25, 0.5, 2, 4});
@@ -125,6 +125,7 @@ const Trial* WhatIf::operator()(const std::vector<Setting>& settings) {
     trial->segments = outcome.segments.segments.size();
     trial->planes = std::move(outcome.planes);
     trial->patch_plane = std::move(outcome.patch_plane);
+    trial->patch_face = std::move(outcome.patch_face);
   } catch (const Error& error) {
     if (error.kind() != Error::Kind::Usage) throw;
     trial.reset();
@@ -142,9 +143,10 @@ Flip WhatIf::flip_of(const Trial& trial, const std::vector<Setting>& settings) {
   return flip;
 }
 
-std::vector<Flip> WhatIf::seek_plane_flips(const std::function<bool(const Trial&)>& changed) {
+std::vector<Flip> WhatIf::seek_plane_flips(const std::function<bool(const Trial&)>& changed,
+                                           const std::vector<std::string>& options) {
   std::vector<std::pair<std::size_t, Flip>> found;  // rank in its ladder
-  for (const std::string& option : plane_ladders()) {
+  for (const std::string& option : options) {
     const std::vector<Setting> settings = ladder(scene_.options, option);
     for (std::size_t rank = 0; rank < settings.size(); ++rank) {
       const Trial* trial = (*this)({settings[rank]});

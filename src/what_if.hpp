@@ -34,6 +34,7 @@ Outcome rerun(const Segmentation& scene, const Options& options);
 struct Trial {
   std::vector<EdgeRule> rules;  ///< per edge
   std::vector<PatchPlane> patch_plane;
+  std::vector<std::int32_t> patch_face;
   std::vector<SupportingPlane> planes;
   std::size_t switched_on = 0, switched_off = 0, segments = 0;
 };
@@ -59,9 +60,10 @@ class WhatIf {
   /// Nothing if the settings are refused: out of range, or contradicting other options.
   const Trial* operator()(const std::vector<Setting>& settings);
 
-  /// The first setting of each plane option's ladder after which `changed` holds, as a flip;
-  /// smallest changes first.
-  std::vector<Flip> seek_plane_flips(const std::function<bool(const Trial&)>& changed);
+  /// The first setting of each option's ladder after which `changed` holds, as a flip; smallest
+  /// changes first.
+  std::vector<Flip> seek_plane_flips(const std::function<bool(const Trial&)>& changed,
+                                     const std::vector<std::string>& options = plane_ladders());
 
   /// A trial's figures; `rule` is left as it is.
   static Flip flip_of(const Trial& trial, const std::vector<Setting>& settings);

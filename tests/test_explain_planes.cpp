@@ -80,8 +80,8 @@ TEST(ExplainPlanes, AnglesAreThoseOfTheNormals) {
 
 TEST(ExplainPlanes, WhatWouldRemoveAPlaneRemovesIt) {
   PlaneExplainer explain(room().scene);
-  const auto last = static_cast<std::uint32_t>(
-      count_planes(room().scene.planes, PlaneRole::Support) - 1);
+  const auto last =
+      static_cast<std::uint32_t>(count_planes(room().scene.planes, PlaneRole::Support) - 1);
   const PlaneExplanation x = explain.plane(last);
   ASSERT_FALSE(x.flips.empty());
   for (std::size_t f = 0; f < std::min<std::size_t>(3, x.flips.size()); ++f) {
@@ -97,6 +97,63 @@ TEST(ExplainPlanes, WhatWouldRemoveAPlaneRemovesIt) {
       EXPECT_FALSE(same) << x.flips[f].settings.front().option;
     }
   }
+}
+
+/// Hand-made: |n . n_p| of 0, 1 pay nothing; what a face has is counted over the patches again.
+TEST(ExplainPlanes, AFaceHasMorePatchesThanItNeedsAndPaysForTheRoom) {
+  const Segmentation& scene = room().scene;
+  PlaneExplainer explain(scene);
+  const auto supports = count_planes(scene.planes, PlaneRole::Support);
+  std::size_t faces = 0;
+  for (std::uint32_t p = 0; p < scene.planes.size(); ++p) {
+    const SupportingPlane& face = scene.planes[p];
+    if (face.role != PlaneRole::Face) continue;
+    ++faces;
+    const PlaneExplanation x = explain.plane(p, {}, Flips::Skip);
+    EXPECT_GT(x.chosen.inliers.size(), x.lambda);
+    EXPECT_LT(x.chosen.hypothesis.data_cost, 0);
+    double sum = x.chosen.hypothesis.data_cost;
+    for (const PairCost& pair : x.chosen.pairs) {
+      const auto& plane = scene.planes[static_cast<std::size_t>(pair.plane)];
+      ASSERT_EQ(plane.role, PlaneRole::Support);
+      const double cosine = std::abs(double(plane.plane.normal.dot(face.plane.normal)));
+      const double angle = std::acos(std::min(1.0, cosine)) * 180 / std::acos(-1.0);
+      EXPECT_NEAR(pair.angle, std::min(angle, 90 - angle), 0.05);
+      EXPECT_NEAR(pair.cost(),
+                  4 * (1 - std::exp(-pair.angle / room().options.planes.alpha)) / double(supports),
+                  1e-6);
+      sum += pair.cost();
+    }
+    EXPECT_NEAR(sum, x.chosen.hypothesis.flip_cost, 1e-6);
+    for (const std::uint32_t i : x.chosen.inliers) {
+      EXPECT_EQ(scene.patch_plane[i].plane, kNone);
+      EXPECT_LT(std::abs(face.plane.signed_distance(scene.graph.patches[i].centroid)),
+                room().options.planes.sigma);
+    }
+  }
+  EXPECT_GT(faces, 0u);
+}
+
+TEST(ExplainPlanes, WhatWouldRemoveAFaceRemovesIt) {
+  const Segmentation& scene = room().scene;
+  PlaneExplainer explain(scene);
+  const auto last = static_cast<std::uint32_t>(scene.planes.size() - 1);
+  ASSERT_EQ(scene.planes[last].role, PlaneRole::Face);
+  const PlaneExplanation x = explain.plane(last);
+  ASSERT_FALSE(x.flips.empty());
+  Options changed = room().options;
+  for (const Setting& s : x.flips[0].settings) set_option(changed, s.option, s.to);
+  const Segmentation then = segment(room().truth.cloud, changed);
+  EXPECT_EQ(then.planes.size(), x.flips[0].planes);
+  // Another face may lie in nearly the same plane: there is one less of them.
+  const auto alike = [&](const Segmentation& of) {
+    return std::ranges::count_if(of.planes, [&](const SupportingPlane& plane) {
+      return std::abs(plane.plane.normal.dot(x.plane.plane.normal)) > 0.996f &&
+             std::abs(plane.plane.signed_distance(x.plane.plane.normal * x.plane.plane.distance)) <
+                 0.01f;
+    });
+  };
+  EXPECT_EQ(alike(then), alike(scene) - 1);
 }
 
 TEST(ExplainPlanes, TruthIsCountedByPoint) {

@@ -41,11 +41,13 @@ struct ObjectShare {
   std::uint64_t points = 0;
 };
 
-/// Why a supporting plane is there.
+/// Why a supporting plane or a face (SupportingPlane::role) is there.
 struct PlaneExplanation {
   std::uint32_t index = 0;  ///< into Segmentation::planes
   SupportingPlane plane;
-  double lambda = 0;  ///< [patches] of eq. (4)
+  double lambda = 0;  ///< [patches] of eq. (4); of a face: from planes.face_area
+  /// Of a face, which is no hypothesis of the selection: `index` means nothing, the pairs are what
+  /// it pays for the directions of the supporting planes, and the inliers those on none of these.
   HypothesisReport chosen;
   std::vector<HypothesisReport> beaten;  ///< hypotheses whose dearest pair is with this one
   std::vector<Flip> flips;               ///< after which there is no such plane (`rule` is unused)
@@ -55,8 +57,9 @@ struct PlaneExplanation {
 /// Why there is no plane at a place.
 struct MissingExplanation {
   Eigen::Vector3f place = Eigen::Vector3f::Zero();
-  PatchReport patch;    ///< the nearest one
-  double distance = 0;  ///< [m] of its centroid from the place
+  PatchReport patch;          ///< the nearest one
+  double distance = 0;        ///< [m] of its centroid from the place
+  std::int32_t face = kNone;  ///< the face that it lies on, if it does (SupportingPlane::role)
   double lambda = 0;
   /// The plane that grows from this patch alone, refitted to its inliers: with its inliers, area
   /// and D. Nothing where no patch agrees with it.

@@ -51,16 +51,21 @@ PlaneOptions face_options(const PlaneOptions& options) {
   return small;
 }
 
-// Eq. (6)'s angle term, on average over the planes that stand.
-double mean_angle_cost(const Plane& plane, const std::vector<SupportingPlane>& standing,
-                       const PlaneOptions& options) {
-  if (standing.empty()) return 0;
-  double sum = 0;
+// Eq. (6)'s angle term with each of the planes that stand, as a share of their mean.
+std::vector<double> angle_costs(const Plane& plane, const std::vector<SupportingPlane>& standing,
+                                const PlaneOptions& options) {
+  std::vector<double> costs;
   for (const SupportingPlane& other : standing) {
     const double deviation = manhattan_deviation(plane.normal, other.plane.normal);
-    sum += 1 - std::exp(-deviation / options.alpha);
+    costs.push_back(kFrameWeight * options.weight_angle *
+                    (1 - std::exp(-deviation / options.alpha)) /
+                    static_cast<double>(standing.size()));
   }
-  return kFrameWeight * options.weight_angle * sum / static_cast<double>(standing.size());
+  return costs;
+}
+
+double face_lambda(const std::vector<Patch>& patches, const PlaneOptions& options) {
+  return std::max(kFewestPatches, support_threshold(patches, options.face_area));
 }
 
 PlaneSelection select_faces(const FreePatches& part, double lambda,
@@ -72,7 +77,9 @@ PlaneSelection select_faces(const FreePatches& part, double lambda,
   SelectionEnergy energy =
       selection_energy(found.kept, pair_terms(found.kept, index, part.graph, small), lambda);
   for (std::size_t m = 0; m < energy.size(); ++m) {
-    energy.unary[m] += mean_angle_cost(found.kept[m].plane, standing, options);
+    for (const double cost : angle_costs(found.kept[m].plane, standing, options)) {
+      energy.unary[m] += cost;
+    }
   }
   const std::vector<bool> x = minimise_selection(energy, small.solver, small.tabu_steps);
   PlaneSelection selection;
@@ -158,9 +165,8 @@ ObjectFaces find_object_faces(const PatchGraph& graph,
   if (options.face_area <= 0) return result;
   const FreePatches part = find_free_patches(graph, patch_plane);
   if (part.ids.empty()) return result;
-  const double lambda =
-      std::max(kFewestPatches, support_threshold(graph.patches, options.face_area));
-  const PlaneSelection selection = select_faces(part, lambda, supporting, options);
+  const PlaneSelection selection =
+      select_faces(part, face_lambda(graph.patches, options), supporting, options);
   std::vector<Plane> planes;
   for (const std::uint32_t s : selection.selected) planes.push_back(selection.hypotheses[s].plane);
   const PlaneOptions small = face_options(options);
@@ -173,6 +179,24 @@ ObjectFaces find_object_faces(const PatchGraph& graph,
   }
   result.planes = std::move(faces.planes);
   return result;
+}
+
+FaceTerms face_terms(const Plane& face, const PatchGraph& graph,
+                     const std::vector<SupportingPlane>& supporting,
+                     const std::vector<PatchPlane>& patch_plane, const PlaneOptions& options) {
+  const FreePatches part = find_free_patches(graph, patch_plane);
+  const PatchIndex index(part.graph.patches);
+  const PlaneOptions small = face_options(options);
+  FaceTerms terms;
+  terms.lambda = face_lambda(graph.patches, options);
+  const Bits inliers = index.inliers({.plane = face,
+                                      .half_width = static_cast<float>(small.sigma),
+                                      .gate = static_cast<float>(small.normal_gate)});
+  for_each(inliers, [&](std::size_t i) { terms.inliers.push_back(part.ids[index.patch(i)]); });
+  std::ranges::sort(terms.inliers);
+  terms.data_cost = data_cost(terms.inliers.size(), terms.lambda);
+  terms.angle_cost = angle_costs(face, supporting, options);
+  return terms;
 }
 
 void steady_normals(std::vector<Patch>& patches, const ObjectFaces& faces) {

@@ -26,6 +26,19 @@ ObjectFaces find_object_faces(const PatchGraph& graph,
                               const std::vector<PatchPlane>& patch_plane,
                               const PlaneOptions& options);
 
+/// What a plane has to say for itself as a face: the terms of the selection above but for overlap.
+struct FaceTerms {
+  double lambda = 0;                   ///< [patches] of eq. (4), from options.face_area
+  std::vector<std::uint32_t> inliers;  ///< patches on no supporting plane, ascending
+  double data_cost = 0;                ///< D of eq. (4)
+  std::vector<double> angle_cost;      ///< per supporting plane: its share of what the face pays
+};
+
+/// \param graph with the patches' own normals.
+FaceTerms face_terms(const Plane& face, const PatchGraph& graph,
+                     const std::vector<SupportingPlane>& supporting,
+                     const std::vector<PatchPlane>& patch_plane, const PlaneOptions& options);
+
 /// Gives the patches of a face its normal: edges are then judged by a normal that hundreds of
 /// voxels agree on.
 void steady_normals(std::vector<Patch>& patches, const ObjectFaces& faces);
