@@ -12,6 +12,7 @@
 #include <csignal>
 #include <cstring>
 
+#include "batch/data_limit.hpp"
 #include "planescope/error.hpp"
 
 namespace planescope {
@@ -43,10 +44,7 @@ class Descriptor {
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(127);  // it died before it was asked to tell
-  if (memory_mb > 0) {
-    const rlimit limit{memory_mb << 20, memory_mb << 20};
-    ::setrlimit(RLIMIT_DATA, &limit);
-  }
+  if (memory_mb > 0) limit_data(memory_mb << 20, true);
   sigset_t none;
   sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);  // ours are not the child's business

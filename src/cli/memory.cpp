@@ -3,7 +3,6 @@
 #include "cli/memory.hpp"
 
 #include <sys/mman.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -12,6 +11,7 @@
 #include <exception>
 #include <new>
 
+#include "batch/data_limit.hpp"
 #include "planescope/error.hpp"
 
 namespace planescope::cli {
@@ -49,10 +49,7 @@ void LimitArguments::declare(CLI::App& command) {
 
 void LimitArguments::apply() const {
   if (memory_mb_ == 0) return;
-  rlimit limit{};
-  ::getrlimit(RLIMIT_DATA, &limit);
-  limit.rlim_cur = std::min<rlim_t>(memory_mb_ << 20, limit.rlim_max);
-  ::setrlimit(RLIMIT_DATA, &limit);
+  limit_data(memory_mb_ << 20, false);
 }
 
 void require_memory_for_drawing(const RenderOptions& picture) {

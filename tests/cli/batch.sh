@@ -49,7 +49,9 @@ diff <(scores whole) <(scores shards) || fail "the shards have another table"
 
 # Half a file, a cloud that needs more memory than there is; and a program that crashes or hangs on some scenes.
 head -c 100000 scenes/room1.ply >scenes/half.ply
-"$program" synthesize -o scenes/hungry.ply --points 4000000 -q
+hungry=4000000
+[[ -z ${PLANESCOPE_NO_LIMITS:-} ]] || hungry=0  # the sanitizer's build has no limit to run into
+((hungry == 0)) || "$program" synthesize -o scenes/hungry.ply --points "$hungry" -q
 cp scenes/room1.ply scenes/crash.ply
 cp scenes/room1.ply scenes/hang.ply
 cat >wrapper <<END
@@ -64,10 +66,11 @@ chmod +x wrapper
 code=0
 batch 'scenes/*.ply' -o bad --program ./wrapper --time-limit 20 --memory-limit 250 >/dev/null 2>stderr || code=$?
 [[ $code == 6 ]] || fail "exits with $code where scenes failed: $(cat stderr)"
-grep -q '8 of 16 jobs failed' stderr || fail "$(cat stderr)"
+((hungry > 0)) && failed='8 of 16' || failed='6 of 14'
+grep -q "$failed jobs failed" stderr || fail "$(cat stderr)"
 diff <(scores whole) <(scores bad) || fail "bad scenes changed the scores of the good ones"
 reason() { sed -n 's/.*"reason": "\(.*\)",/\1/p' "bad/$1/ours/job.json"; }
 [[ $(reason crash) == "was ended by signal 11"* ]] || fail "crash: $(reason crash)"
 [[ $(reason hang) == "took longer than 20 s"* ]] || fail "hang: $(reason hang)"
 [[ $(reason half) == "exit code 3: "*half.ply* ]] || fail "half: $(reason half)"
-[[ $(reason hungry) == "exit code 4: out of memory"* ]] || fail "hungry: $(reason hungry)"
+((hungry == 0)) || [[ $(reason hungry) == "exit code 4: out of memory"* ]] || fail "hungry: $(reason hungry)"

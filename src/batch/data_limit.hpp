@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 the planescope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace planescope {
+
+/// Refuses this process, and what it becomes, data of more than `bytes` in all: allocations beyond
+/// throw std::bad_alloc. Safe between fork and exec. Does nothing in a build with the address
+/// sanitizer, whose shadow of 20 TB is beyond every limit.
+/// \param lasting true: it cannot be raised again.
+inline void limit_data(std::uint64_t bytes, bool lasting) {
+#ifndef __SANITIZE_ADDRESS__
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_DATA, &limit) != 0) return;
+  limit.rlim_cur = std::min<rlim_t>(bytes, limit.rlim_max);
+  if (lasting) limit.rlim_max = limit.rlim_cur;
+  ::setrlimit(RLIMIT_DATA, &limit);
+#else
+  (void)bytes, (void)lasting;
+#endif
+}
+
+}  // namespace planescope
