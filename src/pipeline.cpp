@@ -69,11 +69,7 @@ void add_faces(Segmentation& scene, const PlaneOptions& options) {
 void settle_directions(Segmentation& scene, const Options& options) {
   std::vector<std::int32_t> patch_plane(scene.graph.patches.size());
   for (std::size_t i = 0; i < patch_plane.size(); ++i) patch_plane[i] = scene.plane_of(i);
-  share_directions(scene.planes, scene.graph.patches, patch_plane,
-                   {.angle = options.planes.weight_angle > 0 ? options.planes.alpha : 0,
-                    .face_sigma = face_sigma(options.planes.sigma),
-                    .support_sigma = options.planes.sigma,
-                    .surface_error = surface_error(options.patches.smoothing)});
+  share_directions(scene.planes, scene.graph.patches, patch_plane, direction_tolerance(options));
   measure_margins(scene.patch_plane, scene.graph.patches, scene.planes, options.planes);
   for (Patch& patch : scene.graph.patches) patch.own_normal = patch.normal;
   steady_normals(scene.graph.patches, scene.planes, scene.patch_face);

@@ -10,6 +10,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 
+#include "planes/object_faces.hpp"
+
 namespace planescope {
 namespace {
 
@@ -214,6 +216,13 @@ void set_direction(SupportingPlane& plane, const Body& body, const Vector3d& dir
 }  // namespace
 
 double surface_error(double smoothing) { return std::numbers::sqrt3 / 4 * smoothing; }
+
+DirectionTolerance direction_tolerance(const Options& options) {
+  return {.angle = options.planes.weight_angle > 0 ? options.planes.alpha : 0,
+          .face_sigma = face_sigma(options.planes.sigma),
+          .support_sigma = options.planes.sigma,
+          .surface_error = surface_error(options.patches.smoothing)};
+}
 
 void share_directions(std::vector<SupportingPlane>& planes, std::span<const Patch> patches,
                       std::span<const std::int32_t> patch_plane,

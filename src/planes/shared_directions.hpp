@@ -29,6 +29,9 @@ struct DirectionTolerance {
 /// cell (rms). \returns [m]
 double surface_error(double smoothing);
 
+/// What the options say: eq. (6)'s alpha is the largest turn; where angles weigh nothing, none.
+DirectionTolerance direction_tolerance(const Options& options);
+
 /// Ties planes that are parallel or orthogonal, within their accuracy, to shared frames of three
 /// orthogonal directions, and fits each frame to all patches of its planes at once: least squares
 /// over rotations, each plane weighing its area over its own variance. Offsets stay free. The
