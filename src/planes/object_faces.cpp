@@ -4,10 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
-
-#include <Eigen/Geometry>
 
 #include "planes/energy.hpp"
 #include "planes/face_pieces.hpp"
@@ -132,7 +129,7 @@ FaceTerms face_terms(const Plane& face, const PatchGraph& graph,
                                       .gate = static_cast<float>(small.normal_gate)});
   for_each(inliers, [&](std::size_t i) { terms.inliers.push_back(part.ids[index.patch(i)]); });
   std::ranges::sort(terms.inliers);
-  terms.data_cost = data_cost(terms.inliers.size(), terms.lambda);
+  terms.data_cost = data_cost(static_cast<double>(terms.inliers.size()), terms.lambda);
   terms.angle_cost = angle_costs(face, supporting, options);
   return terms;
 }
