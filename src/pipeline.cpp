@@ -12,6 +12,7 @@
 #include "border_points.hpp"
 #include "patches/smoothing.hpp"
 #include "planes/object_faces.hpp"
+#include "planes/shared_directions.hpp"
 #include "planes/support.hpp"
 #include "planescope/error.hpp"
 #include "segment_graph.hpp"
@@ -55,15 +56,23 @@ std::vector<Plane> selected_planes(const PlaneSelection& selection) {
   throw Error(Error::Kind::Computation, message.str());
 }
 
-// Faces follow the supporting planes, which alone cut (eq. (1)); patches on them get their normals.
+// Faces follow the supporting planes, which alone cut (eq. (1)).
 void add_faces(Segmentation& scene, const PlaneOptions& options) {
   ObjectFaces faces = find_object_faces(scene.graph, scene.planes, scene.patch_plane, options);
-  for (Patch& patch : scene.graph.patches) patch.own_normal = patch.normal;
-  steady_normals(scene.graph.patches, faces);
   const auto first = static_cast<std::int32_t>(scene.planes.size());
   scene.planes.insert(scene.planes.end(), faces.planes.begin(), faces.planes.end());
-  for (std::int32_t& face : faces.patch_face) face = face == kNone ? kNone : first + face;
   scene.patch_face = std::move(faces.patch_face);
+  for (std::int32_t& face : scene.patch_face) face = face == kNone ? kNone : first + face;
+}
+
+// Planes of one direction share it; then patches on faces get their normals.
+void settle_directions(Segmentation& scene, const Options& options) {
+  std::vector<std::int32_t> patch_plane(scene.graph.patches.size());
+  for (std::size_t i = 0; i < patch_plane.size(); ++i) patch_plane[i] = scene.plane_of(i);
+  share_directions(scene.planes, scene.graph.patches, patch_plane, direction_tolerance(options));
+  measure_margins(scene.patch_plane, scene.graph.patches, scene.planes, options.planes);
+  for (Patch& patch : scene.graph.patches) patch.own_normal = patch.normal;
+  steady_normals(scene.graph.patches, scene.planes, scene.patch_face);
 }
 
 }  // namespace
@@ -112,6 +121,7 @@ void segment_graph(Segmentation& scene, const Options& options, const Progress& 
   scene.planes = std::move(support.planes);
   scene.patch_plane = std::move(support.patch_plane);
   add_faces(scene, options.planes);
+  settle_directions(scene, options);
   clock.start(times.edges);
   scene.edges = classify_edges(scene.graph, scene.patch_plane, options.edges);  // III-B, eq. (1)
   clock.start(times.segments);

@@ -4,12 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
-#include <Eigen/Geometry>
-
 #include "planes/energy.hpp"
+#include "planes/face_pieces.hpp"
 #include "planes/hypotheses.hpp"
 #include "planes/support.hpp"
 
@@ -18,7 +16,6 @@ namespace {
 
 constexpr double kFewestPatches = 20;  // of fewer, a cylinder's side is a plane too
 constexpr double kFrameWeight = 4;     // a face pays as for this many supporting planes
-constexpr double kFaceSigma = 0.45;    // of sigma: the steps of furniture are smaller than a room's
 
 // The patches that lie on no supporting plane, with the edges among them.
 struct FreePatches {
@@ -46,7 +43,7 @@ FreePatches find_free_patches(const PatchGraph& graph, const std::vector<PatchPl
 PlaneOptions face_options(const PlaneOptions& options) {
   PlaneOptions small = options;
   small.min_area = options.face_area;
-  small.sigma = kFaceSigma * options.sigma;
+  small.sigma = face_sigma(options.sigma);
   small.weight_angle = 0;  // among faces; what they pay for the room is in D
   return small;
 }
@@ -68,9 +65,9 @@ double face_lambda(const std::vector<Patch>& patches, const PlaneOptions& option
   return std::max(kFewestPatches, support_threshold(patches, options.face_area));
 }
 
-PlaneSelection select_faces(const FreePatches& part, double lambda,
-                            const std::vector<SupportingPlane>& standing,
-                            const PlaneOptions& options) {
+std::vector<Plane> select_faces(const FreePatches& part, double lambda,
+                                const std::vector<SupportingPlane>& standing,
+                                const PlaneOptions& options) {
   const PlaneOptions small = face_options(options);
   const PatchIndex index(part.graph.patches);
   const Hypotheses found = propose_hypotheses(index, small, lambda);
@@ -82,79 +79,17 @@ PlaneSelection select_faces(const FreePatches& part, double lambda,
     }
   }
   const std::vector<bool> x = minimise_selection(energy, small.solver, small.tabu_steps);
-  PlaneSelection selection;
-  for (std::uint32_t m = 0; m < x.size(); ++m) {
-    selection.hypotheses.push_back({.plane = found.kept[m].plane});
-    if (x[m]) selection.selected.push_back(m);
+  std::vector<Plane> selected;
+  for (std::size_t m = 0; m < x.size(); ++m) {
+    if (x[m]) selected.push_back(found.kept[m].plane);
   }
-  return selection;
-}
-
-// The direction nearest to `normal` that is parallel to a standing plane, or orthogonal to one or
-// two, where it deviates from them by less than `tolerance` degrees; else `normal` itself.
-Eigen::Vector3f align(const Eigen::Vector3f& normal, const std::vector<SupportingPlane>& standing,
-                      double tolerance) {
-  const float parallel = std::cos(static_cast<float>(tolerance * std::numbers::pi / 180));
-  const float orthogonal = std::sin(static_cast<float>(tolerance * std::numbers::pi / 180));
-  const auto along = [&](const Eigen::Vector3f& direction) {
-    return direction.dot(normal) < 0 ? Eigen::Vector3f(-direction) : direction;
-  };
-  for (const SupportingPlane& s : standing) {
-    if (std::abs(s.plane.normal.dot(normal)) > parallel) return along(s.plane.normal);
-  }
-  const Eigen::Vector3f* first = nullptr;
-  for (const SupportingPlane& s : standing) {
-    const Eigen::Vector3f& n = s.plane.normal;
-    if (std::abs(n.dot(normal)) > orthogonal) continue;
-    if (first == nullptr) {
-      first = &n;
-    } else if (std::abs(first->dot(n)) < 0.5f) {
-      return along(first->cross(n).normalized());
-    }
-  }
-  if (first == nullptr) return normal;
-  return (normal - first->dot(normal) * *first).normalized();
-}
-
-// Weighted mean and spread of a face's patches along a direction.
-struct Spread {
-  double area = 0, first = 0, second = 0;
-  void add(const Patch& patch, const Eigen::Vector3f& normal) {
-    const double r = normal.cast<double>().dot(patch.centroid.cast<double>());
-    area += double(patch.area);
-    first += double(patch.area) * r;
-    second += double(patch.area) * r * r;
-  }
-  double mean() const { return first / area; }
-  double rms() const { return std::sqrt(std::max(0.0, second / area - mean() * mean())); }
-};
-
-// Faces that fit as well, within their noise, in the directions of the supporting planes, take
-// these.
-void align_faces(const FreePatches& part, Support& faces,
-                 const std::vector<SupportingPlane>& standing, const PlaneOptions& options) {
-  std::vector<Eigen::Vector3f> normals;
-  for (const SupportingPlane& face : faces.planes) {
-    normals.push_back(align(face.plane.normal, standing, options.alpha / 2));
-  }
-  std::vector<Spread> spreads(normals.size());
-  for (std::size_t i = 0; i < part.ids.size(); ++i) {
-    const std::int32_t f = faces.patch_plane[i].plane;
-    if (f == kNone) continue;
-    spreads[static_cast<std::size_t>(f)].add(part.graph.patches[i],
-                                             normals[static_cast<std::size_t>(f)]);
-  }
-  for (std::size_t f = 0; f < normals.size(); ++f) {
-    SupportingPlane& face = faces.planes[f];
-    const double allowed =
-        std::max(1.5 * double(face.rms), 0.5 * face_options(options).sigma);  // 1.5: same noise
-    if (!(spreads[f].rms() <= allowed)) continue;
-    face.plane = {normals[f], static_cast<float>(spreads[f].mean())};
-    face.rms = static_cast<float>(spreads[f].rms());
-  }
+  return selected;
 }
 
 }  // namespace
+
+// Steps of furniture are smaller than a room's.
+double face_sigma(double sigma) { return 0.42 * sigma; }
 
 ObjectFaces find_object_faces(const PatchGraph& graph,
                               const std::vector<SupportingPlane>& supporting,
@@ -165,15 +100,15 @@ ObjectFaces find_object_faces(const PatchGraph& graph,
   if (options.face_area <= 0) return result;
   const FreePatches part = find_free_patches(graph, patch_plane);
   if (part.ids.empty()) return result;
-  const PlaneSelection selection =
-      select_faces(part, face_lambda(graph.patches, options), supporting, options);
-  std::vector<Plane> planes;
-  for (const std::uint32_t s : selection.selected) planes.push_back(selection.hypotheses[s].plane);
+  const double lambda = face_lambda(graph.patches, options);
+  const std::vector<Plane> planes = select_faces(part, lambda, supporting, options);
   const PlaneOptions small = face_options(options);
   Support faces =
-      refit_planes(part.graph, selection, assign_planes(part.graph, planes, small), small);
-  align_faces(part, faces, supporting, options);
-  for (SupportingPlane& face : faces.planes) face.role = PlaneRole::Face;
+      refit_pieces(part.graph, planes, assign_planes(part.graph, planes, small), small, lambda);
+  for (SupportingPlane& face : faces.planes) {
+    face.role = PlaneRole::Face;
+    face.hypothesis = 0;
+  }
   for (std::size_t i = 0; i < part.ids.size(); ++i) {
     result.patch_face[part.ids[i]] = faces.patch_plane[i].plane;
   }
@@ -194,16 +129,16 @@ FaceTerms face_terms(const Plane& face, const PatchGraph& graph,
                                       .gate = static_cast<float>(small.normal_gate)});
   for_each(inliers, [&](std::size_t i) { terms.inliers.push_back(part.ids[index.patch(i)]); });
   std::ranges::sort(terms.inliers);
-  terms.data_cost = data_cost(terms.inliers.size(), terms.lambda);
+  terms.data_cost = data_cost(static_cast<double>(terms.inliers.size()), terms.lambda);
   terms.angle_cost = angle_costs(face, supporting, options);
   return terms;
 }
 
-void steady_normals(std::vector<Patch>& patches, const ObjectFaces& faces) {
+void steady_normals(std::vector<Patch>& patches, std::span<const SupportingPlane> planes,
+                    std::span<const std::int32_t> patch_face) {
   for (std::size_t i = 0; i < patches.size(); ++i) {
-    if (faces.patch_face[i] == kNone) continue;
-    const Eigen::Vector3f& n =
-        faces.planes[static_cast<std::size_t>(faces.patch_face[i])].plane.normal;
+    if (patch_face[i] == kNone) continue;
+    const Eigen::Vector3f& n = planes[static_cast<std::size_t>(patch_face[i])].plane.normal;
     patches[i].normal = n.dot(patches[i].normal) < 0 ? Eigen::Vector3f(-n) : n;
   }
 }

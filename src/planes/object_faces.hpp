@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "planescope/pipeline.hpp"
@@ -15,12 +16,14 @@ struct ObjectFaces {
   std::vector<std::int32_t> patch_face;  ///< per patch: index into `planes`, or kNone
 };
 
+/// Inlier distance of faces [m], from that of supporting planes.
+double face_sigma(double sigma);
+
 /// The paper's Section IV once more among the patches that no supporting plane took, for planes of
 /// at least options.face_area: table tops in a room, the sides of a cupboard. Differs from the
 /// paper's selection: the supporting planes stand, and a face pays four times the mean of eq. (6)'s
 /// angle term over them; among one another faces pay for overlap alone, because the sum over dozens
-/// of small faces, each a little noisy, would refuse them all. A face that is parallel or
-/// orthogonal to supporting planes within its own accuracy is fitted with exactly their direction.
+/// of small faces, each a little noisy, would refuse them all.
 ObjectFaces find_object_faces(const PatchGraph& graph,
                               const std::vector<SupportingPlane>& supporting,
                               const std::vector<PatchPlane>& patch_plane,
@@ -40,7 +43,8 @@ FaceTerms face_terms(const Plane& face, const PatchGraph& graph,
                      const std::vector<PatchPlane>& patch_plane, const PlaneOptions& options);
 
 /// Gives the patches of a face its normal: edges are then judged by a normal that hundreds of
-/// voxels agree on.
-void steady_normals(std::vector<Patch>& patches, const ObjectFaces& faces);
+/// voxels agree on. \param patch_face per patch: index into `planes`, or kNone.
+void steady_normals(std::vector<Patch>& patches, std::span<const SupportingPlane> planes,
+                    std::span<const std::int32_t> patch_face);
 
 }  // namespace planescope

@@ -43,7 +43,7 @@ Plane fit(const Members& members, const Plane& old) {
 }
 
 // |U - 2| / 2 for the patch's plane or, on none, for the plane that it came nearest to.
-float margin(const Patch& patch, std::int32_t plane, const std::vector<SupportingPlane>& planes,
+float margin(const Patch& patch, std::int32_t plane, std::span<const SupportingPlane> planes,
              const PlaneOptions& options) {
   const auto cost = [&](const Plane& p) {
     return std::abs(p.signed_distance(patch.centroid)) /
@@ -55,7 +55,7 @@ float margin(const Patch& patch, std::int32_t plane, const std::vector<Supportin
   float nearest = 4;  // from there on the margin is 1
   for (const SupportingPlane& candidate : planes) {
     const float cosine = std::abs(candidate.plane.normal.dot(patch.normal));
-    if (cosine >= static_cast<float>(options.normal_gate))
+    if (candidate.role == PlaneRole::Support && cosine >= static_cast<float>(options.normal_gate))
       nearest = std::min(nearest, cost(candidate.plane));
   }
   return std::clamp((nearest - 2) / 2, 0.0f, 1.0f);
@@ -92,11 +92,10 @@ Support refit_planes(const PatchGraph& graph, const PlaneSelection& selection,
   std::vector<double> squares(support.planes.size(), 0.0);
   support.patch_plane.resize(assignment.size());
   for (std::size_t i = 0; i < assignment.size(); ++i) {
-    PatchPlane& on = support.patch_plane[i];
-    if (assignment[i] != kNone) on.plane = renamed[static_cast<std::size_t>(assignment[i])];
-    on.margin = margin(graph.patches[i], on.plane, support.planes, options);
-    if (on.plane == kNone) continue;
-    const auto p = static_cast<std::size_t>(on.plane);
+    if (assignment[i] == kNone) continue;
+    const std::int32_t on = renamed[static_cast<std::size_t>(assignment[i])];
+    support.patch_plane[i].plane = on;
+    const auto p = static_cast<std::size_t>(on);
     const double r = support.planes[p].plane.signed_distance(graph.patches[i].centroid);
     squares[p] += double(graph.patches[i].area) * r * r;
   }
@@ -104,7 +103,15 @@ Support refit_planes(const PatchGraph& graph, const PlaneSelection& selection,
     support.planes[p].rms =
         static_cast<float>(std::sqrt(squares[p] / double(support.planes[p].area)));
   }
+  measure_margins(support.patch_plane, graph.patches, support.planes, options);
   return support;
+}
+
+void measure_margins(std::vector<PatchPlane>& patch_plane, std::span<const Patch> patches,
+                     std::span<const SupportingPlane> planes, const PlaneOptions& options) {
+  for (std::size_t i = 0; i < patch_plane.size(); ++i) {
+    patch_plane[i].margin = margin(patches[i], patch_plane[i].plane, planes, options);
+  }
 }
 
 }  // namespace planescope

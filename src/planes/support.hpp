@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "planescope/pipeline.hpp"
@@ -20,5 +21,10 @@ struct Support {
 /// plane. \param assignment per patch: index into `selection.selected`, or kNone.
 Support refit_planes(const PatchGraph& graph, const PlaneSelection& selection,
                      const std::vector<std::int32_t>& assignment, const PlaneOptions& options);
+
+/// How clearly each patch lies on its supporting plane, or on none (PatchPlane::margin), once the
+/// planes are where they stay. Faces among `planes` do not count.
+void measure_margins(std::vector<PatchPlane>& patch_plane, std::span<const Patch> patches,
+                     std::span<const SupportingPlane> planes, const PlaneOptions& options);
 
 }  // namespace planescope
