@@ -93,7 +93,8 @@ TEST(ExplainPlanes, WhatWouldRemoveAPlaneRemovesIt) {
       if (plane.role != PlaneRole::Support) continue;  // it may be a face now, which cuts nothing
       const bool same =
           std::abs(plane.plane.normal.dot(x.plane.plane.normal)) > 0.996f &&
-          std::abs(std::abs(plane.plane.distance) - std::abs(x.plane.plane.distance)) < 0.01f &&
+          std::abs(plane.plane.signed_distance(x.plane.plane.normal * x.plane.plane.distance)) <
+              0.01f &&
           plane.patch_count > 0.8 * x.plane.patch_count;
       EXPECT_FALSE(same) << x.flips[f].settings.front().option;
     }
