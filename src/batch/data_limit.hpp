@@ -10,10 +10,10 @@ namespace planescope {
 
 /// Refuses this process, and what it becomes, data of more than `bytes` in all: allocations beyond
 /// throw std::bad_alloc. Safe between fork and exec. Does nothing in a build with the address
-/// sanitizer, whose shadow of 20 TB is beyond every limit.
+/// or thread sanitizer, whose shadow of terabytes is beyond every limit.
 /// \param lasting true: it cannot be raised again.
 inline void limit_data(std::uint64_t bytes, bool lasting) {
-#ifndef __SANITIZE_ADDRESS__
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
   rlimit limit{};
   if (::getrlimit(RLIMIT_DATA, &limit) != 0) return;
   limit.rlim_cur = std::min<rlim_t>(bytes, limit.rlim_max);
