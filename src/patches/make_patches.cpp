@@ -14,6 +14,7 @@
 #include "patches/moments.hpp"
 #include "patches/orientation.hpp"
 #include "patches/range_warp.hpp"
+#include "patches/surfel_normals.hpp"
 #include "patches/voxel_grid.hpp"
 #include "patches/voxel_normals.hpp"
 #include "planescope/patches.hpp"
@@ -232,7 +233,8 @@ PatchGraph make_patches(const PointCloud& cloud, const PatchOptions& options,
   }
   const std::vector<Eigen::Vector3f>& mean = warped ? unwarped : grid.mean;
   report(0.3);
-  const std::vector<Eigen::Vector3f> normals = estimate_voxel_normals(grid, mean);
+  std::vector<Eigen::Vector3f> normals = estimate_voxel_normals(grid, mean);
+  if (cloud.has_radii() && cloud.has_normals()) take_surfel_normals(cloud, grid, normals);
   report(0.5);
   const std::vector<std::uint32_t> seeds = choose_seeds(grid, options.patch_size);
   std::vector<std::int32_t> label = grow_patches(grid, normals, seeds, options);
