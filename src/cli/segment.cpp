@@ -116,7 +116,8 @@ std::vector<std::string> result_files() {
 /// All outputs, in place only when all of them are whole.
 void write(const Arguments& a, const RenderOptions& drawing, const Segmentation& scene,
            const Scene& source, RunInfo& run, const Stopwatch& since_start) {
-  const auto& [cloud, input] = source;
+  const PointCloud& cloud = source.cloud;
+  const InputInfo& input = source.input;
   StagedFolder staged(a.folder);
   Stopwatch watch;
   save(scene, cloud, staged.path(), input);
@@ -164,6 +165,7 @@ void run(Arguments& a) {
   Stopwatch watch;
   const Scene source = a.scene.load(a.console, a.limits.read());
   const PointCloud& cloud = source.cloud;
+  info.uncertain = source.uncertain;
   const double read_time = watch.lap();
   const Segmentation scene = compute(a, cloud);
   info.stages = scene.times;

@@ -34,7 +34,7 @@ enum class Role : std::uint8_t {
   Blue,  ///< 8 bits, 16 bits (scaled), or real in [0, 1]
   NormalX,
   NormalY,
-  NormalZ,  ///< float or double
+  NormalZ,     ///< float or double
   Label,       ///< a whole number in [0, 2^32)
   Radius,      ///< any number
   Confidence,  ///< any number
