@@ -21,7 +21,7 @@ struct Cohesion {
 };
 
 Cohesion measure_cohesion(const PointCloud& cloud, double voxel) {
-  constexpr double kCrumb = 50;  // [voxel]
+  constexpr double kCrumb = 100;  // [voxel]
   const VoxelGrid grid = make_voxel_grid(cloud, voxel, false);
   UnionFind sets(grid.voxel_count());
   for (std::uint32_t v = 0; v < grid.voxel_count(); ++v) {
@@ -46,7 +46,7 @@ Cohesion measure_cohesion(const PointCloud& cloud, double voxel) {
 // narrower than the rows are large, those of still narrower ones small: so rows are looked for in
 // voxels of this share. Crumbs that wider voxels have too are noise.
 bool cut_to_tiles(const PointCloud& cloud, double voxel, const Cohesion& wide) {
-  constexpr double kNarrow = 0.85, kMostCrumbs = 0.02;
+  constexpr double kNarrow = 0.85, kMostCrumbs = 0.01;
   return measure_cohesion(cloud, kNarrow * voxel).crumbs > kMostCrumbs + 2 * wide.crumbs;
 }
 
