@@ -51,8 +51,11 @@ bool scatters(const PointCloud& cloud, const CloudScale& scale) {
 }  // namespace
 
 Options Options::automatic(const PointCloud& cloud) {
+  return automatic(cloud, measure_scale(cloud));
+}
+
+Options Options::automatic(const PointCloud& cloud, CloudScale scale) {
   Options options;
-  CloudScale scale = measure_scale(cloud);
   constexpr double kLargestVoxel = 2;  // [m] indoors, a voxel this large is a mistake of units
   if (!(scale.connected_voxel <= kLargestVoxel)) refuse_units(scale);
   if (scatters(cloud, scale)) {

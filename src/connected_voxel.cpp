@@ -53,11 +53,11 @@ bool cut_to_tiles(const PointCloud& cloud, double voxel, const Cohesion& wide) {
 // The smallest size at which voxels have neighbours enough and, in a map, hang together as voxels
 // twice as wide do.
 double find_size(const PointCloud& cloud, double smallest, bool map) {
-  constexpr double kWantedDegree = 5, kStep = 1.25, kWantedShare = 0.8;
-  constexpr int kSteps = 6;
+  constexpr double kWantedDegree = 5, kWantedShare = 0.8, kLargest = 4;
+  const double step = map ? 1.12 : 1.25;  // faces of maps are lost to coarse voxels
   const Cohesion wide = map ? measure_cohesion(cloud, 2 * smallest) : Cohesion{};
   double size = smallest;
-  for (int step = 0; step < kSteps; ++step, size *= kStep) {
+  for (; size < kLargest * smallest; size *= step) {
     const Cohesion cohesion = measure_cohesion(cloud, size);
     if (cohesion.degree < kWantedDegree) continue;
     if (!map) break;

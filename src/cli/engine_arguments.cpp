@@ -57,8 +57,11 @@ void EngineArguments::check() {
   if (preset_ != "auto") options.validate();
 }
 
-Options EngineArguments::resolve(const PointCloud& cloud) const {
-  Options options = preset_ == "auto" ? Options::automatic(cloud) : base(preset_);
+Options EngineArguments::resolve(const PointCloud& cloud,
+                                 const std::optional<CloudScale>& scale) const {
+  Options options = preset_ != "auto" ? base(preset_)
+                    : scale           ? Options::automatic(cloud, *scale)
+                                      : Options::automatic(cloud);
   apply(options);
   options.validate();
   return options;

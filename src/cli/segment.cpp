@@ -9,6 +9,7 @@
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
@@ -89,11 +90,12 @@ std::string describe_scene(const Segmentation& scene, const PointCloud& cloud) {
 }
 
 Segmentation compute(const Arguments& a, const PointCloud& cloud) {
-  const Options options = a.engine.resolve(cloud);
-  if (!a.console.quiet) {
-    const CloudScale scale = measure_scale(cloud);
-    if (a.engine.preset() == "auto") a.console.say(describe_choice(scale, options));
-    const std::string warning = scale_warning(scale, options);
+  std::optional<CloudScale> scale;  // measured once: a tenth of a second for large maps
+  if (!a.console.quiet) scale = measure_scale(cloud);
+  const Options options = a.engine.resolve(cloud, scale);
+  if (scale) {
+    if (a.engine.preset() == "auto") a.console.say(describe_choice(*scale, options));
+    const std::string warning = scale_warning(*scale, options);
     if (!warning.empty()) a.console.say("warning: " + warning);
   }
   for (const OptionInfo& info : option_table()) {
