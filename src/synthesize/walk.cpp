@@ -64,7 +64,7 @@ std::vector<Camera> walk_through(const Room& room, std::uint64_t seed, std::uint
     // furniture hides below hang together above it.
     const double lowered = smooth_step((t - 0.62) / 0.1);
     const double pitch = t < 0.33 ? 15 + 25 * std::sin(14 * kPi * t)
-                                  : -4 + 34 * lowered + 6 * std::sin(14 * kPi * t);
+                                  : -14 + 36 * lowered + 6 * std::sin(14 * kPi * t);
     const double roll = 3 * std::sin(17 * kPi * t) * kPi / 180;
     // The room's frame is turned about z.
     const Vector3d ahead = room.frame.linear() * Vector3d(std::cos(yaw), std::sin(yaw), 0);
