@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the planescope authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "automatic.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -51,10 +53,10 @@ bool scatters(const PointCloud& cloud, const CloudScale& scale) {
 }  // namespace
 
 Options Options::automatic(const PointCloud& cloud) {
-  return automatic(cloud, measure_scale(cloud));
+  return automatic_options(cloud, measure_scale(cloud));
 }
 
-Options Options::automatic(const PointCloud& cloud, CloudScale scale) {
+Options automatic_options(const PointCloud& cloud, CloudScale scale) {
   Options options;
   constexpr double kLargestVoxel = 2;  // [m] indoors, a voxel this large is a mistake of units
   if (!(scale.connected_voxel <= kLargestVoxel)) refuse_units(scale);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "automatic.hpp"
 #include "planescope/error.hpp"
 #include "planescope/options.hpp"
 #include "toy_clouds.hpp"
@@ -82,7 +83,7 @@ TEST(Scale, RowsOfFusedMapsHangTogether) {
 TEST(Scale, AutomaticTakesAMeasuredScale) {
   const PointCloud cloud = testing::make_box_room(4000);
   const Options once = Options::automatic(cloud);
-  const Options again = Options::automatic(cloud, measure_scale(cloud));
+  const Options again = automatic_options(cloud, measure_scale(cloud));
   for (const OptionInfo& info : option_table())
     EXPECT_EQ(get_option(once, info.name), get_option(again, info.name)) << info.name;
 }

@@ -105,8 +105,6 @@ struct SegmentOptions {
       3;  ///< smaller segments join the neighbour with the longest shared border
 };
 
-struct CloudScale;
-
 /// All options of segment(). Values are plain; validate() says what is wrong with them.
 struct Options {
   PatchOptions patches;
@@ -123,8 +121,6 @@ struct Options {
   /// describe_scale(). \throws Error{Kind::Input} no finite point.
   /// \throws Error{Kind::Computation} it is far too large for metres.
   static Options automatic(const PointCloud& cloud);
-  /// The same, where the scale has been measured already. \param scale measure_scale(cloud).
-  static Options automatic(const PointCloud& cloud, CloudScale scale);
 
   /// \throws Error{Kind::Usage} an option is out of range or contradicts another: its name, value,
   /// range, what to do.

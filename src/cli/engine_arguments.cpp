@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "automatic.hpp"
 #include "planescope/error.hpp"
 
 namespace planescope::cli {
@@ -60,7 +61,7 @@ void EngineArguments::check() {
 Options EngineArguments::resolve(const PointCloud& cloud,
                                  const std::optional<CloudScale>& scale) const {
   Options options = preset_ != "auto" ? base(preset_)
-                    : scale           ? Options::automatic(cloud, *scale)
+                    : scale           ? automatic_options(cloud, *scale)
                                       : Options::automatic(cloud);
   apply(options);
   options.validate();
