@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the planescope authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "automatic.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -51,8 +53,11 @@ bool scatters(const PointCloud& cloud, const CloudScale& scale) {
 }  // namespace
 
 Options Options::automatic(const PointCloud& cloud) {
+  return automatic_options(cloud, measure_scale(cloud));
+}
+
+Options automatic_options(const PointCloud& cloud, CloudScale scale) {
   Options options;
-  CloudScale scale = measure_scale(cloud);
   constexpr double kLargestVoxel = 2;  // [m] indoors, a voxel this large is a mistake of units
   if (!(scale.connected_voxel <= kLargestVoxel)) refuse_units(scale);
   if (scatters(cloud, scale)) {

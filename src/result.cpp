@@ -17,6 +17,8 @@ void write_points(const Segmentation& scene, const PointCloud& cloud,
                   const std::filesystem::path& file) {
   PointCloud points = cloud;
   points.normals.clear();
+  points.radii.clear();
+  points.confidences.clear();
   points.labels = scene.point_label;
   points.colors.resize(cloud.size());
   io::write_pcd(file, points, CloudEncoding::Binary,
@@ -31,6 +33,8 @@ Result make_result(const Segmentation& scene, const PointCloud& cloud, const Inp
   result.method = scene.method;
   result.cloud = cloud;
   result.cloud.normals.clear();  // the folder does not keep them, and the two views are the same
+  result.cloud.radii.clear();
+  result.cloud.confidences.clear();
   result.cloud.labels.clear();
   result.has_colors = cloud.has_colors();
   result.point_label = scene.point_label;

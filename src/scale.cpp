@@ -12,14 +12,12 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include "connected_voxel.hpp"
 #include "patches/moments.hpp"
-#include "patches/range_warp.hpp"
 #include "patches/voxel_blocks.hpp"
-#include "patches/voxel_grid.hpp"
 #include "planescope/error.hpp"
 #include "planescope/options.hpp"
 #include "single_scan.hpp"
-#include "union_find.hpp"
 
 namespace planescope {
 namespace {
@@ -231,50 +229,17 @@ void find_ranges(const PointCloud& cloud, const std::vector<std::uint32_t>& fini
   scale.far_range = double(sightings[sightings.size() * 9 / 10].range);
 }
 
-// How well voxels hang together: of two voxels taken at random, the chance that a way over adjacent
-// ones leads from the one to the other.
-double connectivity(const VoxelGrid& grid) {
-  UnionFind sets(grid.voxel_count());
-  for (std::uint32_t v = 0; v < grid.voxel_count(); ++v) {
-    for (std::size_t k = grid.neighbour_offsets[v]; k < grid.neighbour_offsets[v + 1]; ++k) {
-      if (grid.neighbours[k] < v) sets.unite(v, grid.neighbours[k]);
-    }
+// A surfel is the mean of what lay within its radius, so that voxels finer than that hold nothing
+// finer. Radii of several spacings are no radii in metres.
+double surfel_radius(const PointCloud& cloud, const std::vector<std::uint32_t>& sample,
+                     double spacing) {
+  constexpr double kWidest = 4;  // [spacings]
+  std::vector<float> radii;
+  for (const std::uint32_t i : sample) {
+    if (cloud.has_radii() && std::isfinite(cloud.radii[i])) radii.push_back(cloud.radii[i]);
   }
-  std::vector<double> size(grid.voxel_count(), 0);
-  for (std::uint32_t v = 0; v < grid.voxel_count(); ++v) ++size[sets.find(v)];
-  double squares = 0;
-  for (const double s : size) squares += s * s;
-  return squares / (double(grid.voxel_count()) * double(grid.voxel_count()));
-}
-
-// Where the points lie in rows, as a fused map's vertices do, voxels about as wide as the rows are
-// apart leave whole rows empty in places (a moire), and cut surfaces into tiles: what hangs
-// together in voxels twice as wide has to hang together in these.
-double find_connected_voxel(const PointCloud& cloud, double smallest, const CloudScale& scale) {
-  constexpr double kWantedDegree = 5, kStep = 1.25, kWantedShare = 0.8;
-  constexpr int kSteps = 6;
-  double size = smallest;
-  if (cloud.organised()) return size;  // a picture's pixels are as dense along as across
-  PointCloud warped;  // of a single scan: as voxels that grow with the range see it
-  if (scale.median_range > 0) {
-    const RangeWarp warp(cloud, kScanRangeExponent,
-                         cloud.sensor.value_or(-cloud.origin.cast<float>()));
-    for (const Eigen::Vector3f& p : cloud.positions) warped.positions.push_back(warp.apply(p));
-  }
-  const PointCloud& seen = scale.median_range > 0 ? warped : cloud;
-  try {
-    const double whole = connectivity(make_voxel_grid(seen, 2 * smallest, false));
-    for (int step = 0; step < kSteps; ++step, size *= kStep) {
-      const VoxelGrid grid = make_voxel_grid(seen, size, false);
-      const auto degree = double(grid.neighbours.size()) / double(grid.voxel_count());
-      const bool map = scale.median_range == 0;
-      if (degree >= kWantedDegree && (!map || connectivity(grid) >= kWantedShare * whole)) break;
-    }
-  } catch (const Error&
-               error) {  // an outlier beyond any grid: make_patches() says so, not a measurement
-    if (error.kind() != Error::Kind::Computation) throw;
-  }
-  return size;
+  const auto radius = double(median(std::move(radii)));
+  return radius > kWidest * spacing ? 0 : radius;
 }
 
 }  // namespace
@@ -310,8 +275,9 @@ CloudScale measure_scale(const PointCloud& cloud) {
   scale.noise = std::max(double(noise), depth_noise(cloud, queries));
   find_ranges(cloud, finite, queries, seen, scale);
   const bool map = !cloud.organised() && scale.median_range == 0;
-  scale.connected_voxel =
-      find_connected_voxel(cloud, (map ? kMapVoxel : kViewVoxel) * scale.spacing, scale);
+  const double smallest = std::max((map ? kMapVoxel : kViewVoxel) * scale.spacing,
+                                   surfel_radius(cloud, sample, scale.spacing));
+  scale.connected_voxel = find_connected_voxel(cloud, smallest, scale.median_range);
   return scale;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "automatic.hpp"
 #include "planescope/error.hpp"
 #include "planescope/options.hpp"
 #include "toy_clouds.hpp"
@@ -52,6 +53,39 @@ TEST(Scale, DegenerateCloudsAreLegalOrRefused) {
     EXPECT_GT(scale.spacing, 0);
     EXPECT_TRUE(std::isfinite(scale.noise));
   }
+}
+
+// A fused map: walls at a slant, where the points lie 7.7 mm apart, and a table top along the map's
+// axes, where they lie in rows a centimetre apart. Voxels of 1.05 spacings leave every fifth row
+// empty, and cut the table top into tiles, though not the walls.
+TEST(Scale, RowsOfFusedMapsHangTogether) {
+  PointCloud cloud;
+  testing::Uniform uniform(6);
+  const auto wall = [&](const Eigen::Vector3f& u, const Eigen::Vector3f& v) {
+    testing::add_rectangle(cloud, uniform, 67'000, {0, 0, 0}, u, v);
+  };
+  wall({1.6F, 1.2F, 0}, {0, 0, 2});
+  wall({-1.2F, 1.6F, 0}, {0, 0, 2});
+  const double walls_alone = measure_scale(cloud).connected_voxel;
+  for (int row = 0; row < 60; ++row) {
+    for (int column = 0; column < 100; ++column) {
+      cloud.positions.emplace_back(0.3F + 0.01F * float(column), 1.8F + 0.01F * float(row), 0.7F);
+    }
+  }
+  cloud.labels.clear();
+  cloud.width = static_cast<std::uint32_t>(cloud.size());
+  EXPECT_LT(walls_alone, 0.0085);
+  EXPECT_GT(measure_scale(cloud).connected_voxel, 0.01);
+  EXPECT_LT(measure_scale(cloud).connected_voxel, 0.013);
+}
+
+// What was measured need not be measured again.
+TEST(Scale, AutomaticTakesAMeasuredScale) {
+  const PointCloud cloud = testing::make_box_room(4000);
+  const Options once = Options::automatic(cloud);
+  const Options again = automatic_options(cloud, measure_scale(cloud));
+  for (const OptionInfo& info : option_table())
+    EXPECT_EQ(get_option(once, info.name), get_option(again, info.name)) << info.name;
 }
 
 }  // namespace

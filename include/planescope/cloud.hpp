@@ -28,12 +28,19 @@ struct Rgb {
 };
 
 /// A point cloud as it was read: same points, same order, non-finite ones in place.
-/// `colors`, `normals` and `labels` are either empty or have one entry a point.
+/// `colors`, `normals`, `labels`, `radii` and `confidences` are either empty or have one entry a
+/// point.
 struct PointCloud {
   std::vector<Eigen::Vector3f> positions;  ///< [m], relative to `origin`; non-finite: no return
   std::vector<Rgb> colors;                 ///< own colours
   std::vector<Eigen::Vector3f> normals;  ///< unit, oriented towards the sensor; non-finite: unknown
   std::vector<std::uint32_t> labels;     ///< ground truth as the file has it; 0: none
+  /// [m] of surfels: each point stands for a disc around its normal; NaN: unknown. Empty: points
+  /// are no surfels.
+  std::vector<float> radii = {};
+  /// How sure each point is, in the mapper's own measure (ElasticFusion: about the number of frames
+  /// that saw it); NaN: unknown. See leave_out_uncertain().
+  std::vector<float> confidences = {};
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< [m] world position = origin + position
   std::uint32_t width = 0;   ///< columns of an organised cloud; else the number of points
   std::uint32_t height = 1;  ///< rows of an organised cloud; else 1
@@ -46,6 +53,8 @@ struct PointCloud {
   bool has_colors() const noexcept { return !colors.empty(); }
   bool has_normals() const noexcept { return !normals.empty(); }
   bool has_labels() const noexcept { return !labels.empty(); }
+  bool has_radii() const noexcept { return !radii.empty(); }
+  bool has_confidences() const noexcept { return !confidences.empty(); }
 };
 
 /// True if x, y and z are all finite.

@@ -137,9 +137,9 @@ struct CloudScale {
   /// views at least that of a structured-light camera at the median depth, 1.4 mm z^2 (Khoshelham
   /// and Elberink, Sensors 2012), because steps of depth look flat from near by.
   double noise = 0;
-  /// [m] smallest voxel, from 1.05 spacings up (views: 1.5), at which an occupied voxel has 5
-  /// occupied neighbours on average (8 are a filled plane): scan lines far apart along and across
-  /// need more than their density says.
+  /// [m] smallest voxel, from 1.05 spacings (views: 1.5) and surfels' radius up, at which occupied
+  /// voxels have 5 neighbours on average (8 are a filled plane) and surfaces of maps hang together:
+  /// scan lines and the rows of a fused map's points lie further apart than their density says.
   double connected_voxel = 0;
   /// [m] median distance from the sensor, where the cloud was seen from one place: an organised
   /// view, or a list of points whose density falls with the distance from the sensor (else the

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "automatic.hpp"
 #include "planescope/error.hpp"
 
 namespace planescope::cli {
@@ -57,8 +58,11 @@ void EngineArguments::check() {
   if (preset_ != "auto") options.validate();
 }
 
-Options EngineArguments::resolve(const PointCloud& cloud) const {
-  Options options = preset_ == "auto" ? Options::automatic(cloud) : base(preset_);
+Options EngineArguments::resolve(const PointCloud& cloud,
+                                 const std::optional<CloudScale>& scale) const {
+  Options options = preset_ != "auto" ? base(preset_)
+                    : scale           ? automatic_options(cloud, *scale)
+                                      : Options::automatic(cloud);
   apply(options);
   options.validate();
   return options;

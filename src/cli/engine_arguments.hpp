@@ -33,7 +33,7 @@ class EngineArguments {
   const std::string& preset() const { return preset_; }
 
   /// The options for this cloud. \throws Error{Kind::Usage} they contradict each other.
-  Options resolve(const PointCloud& cloud) const;
+  Options resolve(const PointCloud& cloud, const std::optional<CloudScale>& scale = {}) const;
 
  private:
   struct Given {

@@ -64,6 +64,7 @@ std::string RunInfo::json() const {
                                       {"timings_ms", timings},
                                       {"peak_memory_mb", std::round(peak_memory_mb() * 10) / 10},
                                       {"threads", threads},
+                                      {"uncertain_points", uncertain},
                                       {"date", date()}};
   return all.dump(1) + "\n";
 }

@@ -23,6 +23,7 @@ struct RunInfo {
   StageTimes stages;                          ///< [ms]
   double pictures = 0, write = 0, total = 0;  ///< [ms]
   std::size_t threads = 0;
+  std::size_t uncertain = 0;  ///< points left out by --min-confidence
 
   /// run.json's text, with peak memory and date as they are now.
   std::string json() const;

@@ -3,6 +3,8 @@
 #include "cli/scene_arguments.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
+#include <utility>
 
 #include "cli/console.hpp"
 #include "cli/run_info.hpp"
@@ -42,6 +44,11 @@ DepthCamera camera_of(const SequenceOptions& options, const DepthImage& depth,
 void SceneArguments::declare(CLI::App& command) {
   command.add_option("SCENE", scene_,
                      "Point cloud: PCD or PLY; or a folder with an RGB-D sequence");
+  command
+      .add_option("--min-confidence", min_confidence_,
+                  "Leave out points with a lower `confidence`, of surfel maps that have it")
+      ->check(CLI::Number)
+      ->type_name("C");
   command.add_option("--depth", depth_, "A single view instead: depth image, PNG of 16-bit grey")
       ->type_name("PNG")
       ->group(DepthArguments::kGroup);
@@ -61,13 +68,36 @@ void SceneArguments::check() const {
   if (depth_.empty() && !color_.empty()) {
     throw Error(Error::Kind::Usage, "--color belongs to --depth");
   }
+  if (min_confidence_ && (scene_.empty() || std::filesystem::is_directory(scene_))) {
+    throw Error(Error::Kind::Usage, "--min-confidence belongs to a point cloud's file");
+  }
+  if (min_confidence_ && !std::isfinite(*min_confidence_)) {
+    throw Error(Error::Kind::Usage, "--min-confidence is no finite number");
+  }
   camera_.options();
 }
 
 Scene SceneArguments::load(const Console& console, const ReadLimits& limits) const {
   if (!depth_.empty()) return load_view(console);
   if (std::filesystem::is_directory(scene_)) return load_sequence(console);
-  return {read_cloud(scene_, limits), {scene_.filename().string(), hash_file(scene_)}};
+  return load_cloud(console, limits);
+}
+
+Scene SceneArguments::load_cloud(const Console& console, const ReadLimits& limits) const {
+  Scene scene{read_cloud(scene_, limits), {scene_.filename().string(), hash_file(scene_)}};
+  if (!min_confidence_) return scene;
+  try {
+    CertainCloud certain = leave_out_uncertain(std::move(scene.cloud), *min_confidence_);
+    scene.cloud = std::move(certain.cloud);
+    scene.uncertain = certain.left_out;
+  } catch (const Error& error) {
+    throw Error(error.kind(), scene_.string() + ": " + error.what());
+  }
+  scene.input.hash =
+      hash_text(scene.input.hash + " confidence " + std::to_string(*min_confidence_));
+  console.say(scene_.string() + ": left out " + std::to_string(scene.uncertain) +
+              " points by --min-confidence");
+  return scene;
 }
 
 std::vector<std::filesystem::path> SceneArguments::files() const {

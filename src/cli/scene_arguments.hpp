@@ -55,6 +55,7 @@ class DepthArguments {
 struct Scene {
   PointCloud cloud;
   InputInfo input;
+  std::size_t uncertain = 0;  ///< points left out by --min-confidence
 };
 
 /// Fuses a sequence with a progress bar, and says how much came of it.
@@ -76,10 +77,12 @@ class SceneArguments {
   std::vector<std::filesystem::path> files() const;
 
  private:
+  Scene load_cloud(const Console& console, const ReadLimits& limits) const;
   Scene load_view(const Console& console) const;
   Scene load_sequence(const Console& console) const;
 
   std::filesystem::path scene_, depth_, color_;
+  std::optional<double> min_confidence_;
   DepthArguments camera_;
 };
 

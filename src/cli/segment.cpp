@@ -9,6 +9,7 @@
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
@@ -89,11 +90,12 @@ std::string describe_scene(const Segmentation& scene, const PointCloud& cloud) {
 }
 
 Segmentation compute(const Arguments& a, const PointCloud& cloud) {
-  const Options options = a.engine.resolve(cloud);
-  if (!a.console.quiet) {
-    const CloudScale scale = measure_scale(cloud);
-    if (a.engine.preset() == "auto") a.console.say(describe_choice(scale, options));
-    const std::string warning = scale_warning(scale, options);
+  std::optional<CloudScale> scale;  // measured once: a tenth of a second for large maps
+  if (!a.console.quiet) scale = measure_scale(cloud);
+  const Options options = a.engine.resolve(cloud, scale);
+  if (scale) {
+    if (a.engine.preset() == "auto") a.console.say(describe_choice(*scale, options));
+    const std::string warning = scale_warning(*scale, options);
     if (!warning.empty()) a.console.say("warning: " + warning);
   }
   for (const OptionInfo& info : option_table()) {
@@ -116,7 +118,8 @@ std::vector<std::string> result_files() {
 /// All outputs, in place only when all of them are whole.
 void write(const Arguments& a, const RenderOptions& drawing, const Segmentation& scene,
            const Scene& source, RunInfo& run, const Stopwatch& since_start) {
-  const auto& [cloud, input] = source;
+  const PointCloud& cloud = source.cloud;
+  const InputInfo& input = source.input;
   StagedFolder staged(a.folder);
   Stopwatch watch;
   save(scene, cloud, staged.path(), input);
@@ -164,6 +167,7 @@ void run(Arguments& a) {
   Stopwatch watch;
   const Scene source = a.scene.load(a.console, a.limits.read());
   const PointCloud& cloud = source.cloud;
+  info.uncertain = source.uncertain;
   const double read_time = watch.lap();
   const Segmentation scene = compute(a, cloud);
   info.stages = scene.times;

@@ -37,6 +37,8 @@ class Decoder {
     if (selection_.has(Role::Packed) || selection_.has(Role::Red)) cloud.colors.resize(points);
     if (selection_.has(Role::NormalX)) cloud.normals.resize(points);
     if (selection_.has(Role::Label)) cloud.labels.resize(points);
+    if (selection_.has(Role::Radius)) cloud.radii.resize(points);
+    if (selection_.has(Role::Confidence)) cloud.confidences.resize(points);
     result_.extra.resize(selection_.extra.size());
     for (auto& column : result_.extra) column.resize(points);
   }
@@ -49,6 +51,13 @@ class Decoder {
     report.finite = decode_positions(columns, selection_, cloud.origin, part(cloud.positions));
     if (cloud.has_colors()) decode_colors(columns, selection_, part(cloud.colors));
     if (cloud.has_normals()) decode_normals(columns, selection_, part(cloud.normals));
+    const auto column_of = [&](Role role) -> const Column& {
+      return columns[*selection_.role[static_cast<std::size_t>(role)]];
+    };
+    if (cloud.has_radii()) decode_numbers(column_of(Role::Radius), true, part(cloud.radii));
+    if (cloud.has_confidences()) {
+      decode_numbers(column_of(Role::Confidence), false, part(cloud.confidences));
+    }
     const auto note = [&](std::size_t column, std::optional<std::size_t> bad) {
       if (!bad || (report.bad && *report.bad <= first + *bad)) return;
       report.bad = first + *bad;

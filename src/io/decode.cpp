@@ -129,6 +129,17 @@ void decode_normals(const std::vector<Column>& columns, const Selection& selecti
   }
 }
 
+void decode_numbers(const Column& column, bool positive, std::span<float> values) {
+  visit(column.type, [&]<class From>() {
+    each<From>(column, values.size(), [&](std::size_t i, From number) {
+      const auto value = static_cast<double>(number);
+      constexpr double kMost = double{std::numeric_limits<float>::max()};
+      const bool known = std::abs(value) <= kMost && (!positive || value > 0);  // false for NaN
+      values[i] = known ? static_cast<float>(value) : std::numeric_limits<float>::quiet_NaN();
+    });
+  });
+}
+
 template <class T>
 std::optional<std::size_t> decode_whole(const Column& column, std::span<T> values) {
   std::optional<std::size_t> bad;

@@ -29,6 +29,10 @@ void decode_colors(const std::vector<Column>& columns, const Selection& selectio
 void decode_normals(const std::vector<Column>& columns, const Selection& selection,
                     std::span<Eigen::Vector3f> normals);
 
+/// Numbers of any type; those that float does not hold or that are not finite become NaN, and where
+/// they have to be `positive` zero and negative ones too.
+void decode_numbers(const Column& column, bool positive, std::span<float> values);
+
 /// Whole numbers into T; the index in the block of the first that T does not hold.
 template <class T>
 std::optional<std::size_t> decode_whole(const Column& column, std::span<T> values);

@@ -41,6 +41,7 @@ std::vector<OutField> fields_of(const PointCloud& cloud, CloudEncoding encoding,
     fields.push_back(std::move(field));
   }
   for (OutField& field : label_fields(cloud)) fields.push_back(std::move(field));
+  for (OutField& field : surfel_fields(cloud)) fields.push_back(std::move(field));
   for (const PcdColumn& column : extra) fields.push_back(extra_field(column, cloud.size()));
   return fields;
 }

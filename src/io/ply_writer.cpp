@@ -25,6 +25,7 @@ std::vector<OutField> fields_of(const PointCloud& cloud) {
   }
   for (OutField& field : normal_fields(cloud, "nx", "ny", "nz")) fields.push_back(std::move(field));
   for (OutField& field : label_fields(cloud)) fields.push_back(std::move(field));
+  for (OutField& field : surfel_fields(cloud)) fields.push_back(std::move(field));
   return fields;
 }
 

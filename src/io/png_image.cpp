@@ -35,6 +35,7 @@ struct Exchange {
   std::span<const std::byte> input;
   std::string output;
   std::array<char, 160> error{};
+  bool other_kind = false;  ///< a sound PNG, of another kind than was asked for
   PngPixels pixels;
   std::vector<png_bytep> rows;
   png_structp png = nullptr;
@@ -103,6 +104,7 @@ bool read(Exchange& exchange, PngKind kind) {
   if (kind == PngKind::Depth) {
     if (png_get_color_type(png, exchange.info) != PNG_COLOR_TYPE_GRAY ||
         png_get_bit_depth(png, exchange.info) != 16) {
+      exchange.other_kind = true;
       png_error(png, "is no depth image; expected a PNG of 16-bit grey");
     }
     if (std::endian::native == std::endian::little) png_set_swap(png);
@@ -146,6 +148,7 @@ PngPixels decode_png(const std::string& name, std::span<const std::byte> bytes, 
   Exchange exchange(false);
   exchange.input = bytes;
   if (read(exchange, kind)) return std::move(exchange.pixels);
+  if (exchange.other_kind) throw Error(Error::Kind::Input, name + ": " + exchange.error.data());
   const std::size_t at = bytes.size() - exchange.input.size();
   throw Error(Error::Kind::Input, name + ": byte " + std::to_string(at) +
                                       ": not a readable PNG: " + exchange.error.data());

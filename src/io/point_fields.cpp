@@ -139,6 +139,9 @@ Selection select_fields(const InputFile& file, const std::vector<Field>& fields,
   place(selection, Role::NormalX, find_normals(finder));
   place(selection, Role::Label,
         finder.find("label", "one whole number", [](Scalar) { return true; }));
+  const auto any = [](Scalar) { return true; };
+  place(selection, Role::Radius, finder.find("radius", "one number, in metres", any));
+  place(selection, Role::Confidence, finder.find("confidence", "one number", any));
   for (const std::string& name : extra) {
     const auto found = finder.find(name, "one integer", [](Scalar type) { return !is_real(type); });
     if (!found) file.fail("the field " + name + " is missing");

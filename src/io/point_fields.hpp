@@ -34,10 +34,12 @@ enum class Role : std::uint8_t {
   Blue,  ///< 8 bits, 16 bits (scaled), or real in [0, 1]
   NormalX,
   NormalY,
-  NormalZ,  ///< float or double
-  Label,    ///< a whole number in [0, 2^32)
+  NormalZ,     ///< float or double
+  Label,       ///< a whole number in [0, 2^32)
+  Radius,      ///< any number
+  Confidence,  ///< any number
 };
-inline constexpr std::size_t kRoles = 11;
+inline constexpr std::size_t kRoles = 13;
 
 /// The fields that are read, as indices into the header's fields; `role` and `extra` are indices
 /// into `used`, which is in the order of the header.
@@ -50,7 +52,8 @@ struct Selection {
 };
 
 /// Finds the fields a cloud is made from, and those named in `extra` (32-bit integer columns).
-/// Names: x y z; rgb | rgba, else red green blue; normal_x normal_y normal_z | nx ny nz; label.
+/// Names: x y z; rgb | rgba, else red green blue; normal_x normal_y normal_z | nx ny nz; label;
+/// radius; confidence.
 /// \throws Error{Kind::Input} x, y or z is missing; a field that is used appears twice, or has a
 /// type or count that its role does not allow; a colour or normal is incomplete; an extra is
 /// missing or no integer.

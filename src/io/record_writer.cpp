@@ -119,6 +119,18 @@ std::vector<OutField> label_fields(const PointCloud& cloud) {
                                     [&cloud](std::size_t i) { return cloud.labels[i]; })};
 }
 
+std::vector<OutField> surfel_fields(const PointCloud& cloud) {
+  std::vector<OutField> fields;
+  const auto add = [&](const char* name, const std::vector<float>& values) {
+    if (values.empty()) return;
+    fields.push_back(
+        make_field<float>(name, Scalar::F32, [&values](std::size_t i) { return values[i]; }));
+  };
+  add("radius", cloud.radii);
+  add("confidence", cloud.confidences);
+  return fields;
+}
+
 void append_number(std::string& text, double value) {
   std::array<char, 32> buffer;
   text.append(buffer.data(), std::to_chars(buffer.data(), buffer.data() + 32, value).ptr);
@@ -136,6 +148,8 @@ void check_writable(const PointCloud& cloud) {
   check(cloud.colors.size(), "colours");
   check(cloud.normals.size(), "normals");
   check(cloud.labels.size(), "labels");
+  check(cloud.radii.size(), "radii");
+  check(cloud.confidences.size(), "confidences");
   if (cloud.organised() && std::uint64_t{cloud.width} * cloud.height != points) {
     fail("the cloud is " + std::to_string(cloud.width) + " x " + std::to_string(cloud.height) +
          ", but has " + std::to_string(points) + " points; expected their product");

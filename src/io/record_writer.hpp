@@ -33,6 +33,8 @@ std::vector<OutField> normal_fields(const PointCloud& cloud, const char* x, cons
                                     const char* z);
 /// label, or nothing where the cloud has none.
 std::vector<OutField> label_fields(const PointCloud& cloud);
+/// radius and confidence, where the cloud has them.
+std::vector<OutField> surfel_fields(const PointCloud& cloud);
 
 /// A field whose number of point i is value(i).
 template <class T, class F>

@@ -105,6 +105,7 @@ PointCloud smooth_points(const PointCloud& cloud, double cell) {
   smooth.positions = cloud.positions;
   smooth.colors = cloud.colors;
   smooth.normals = cloud.normals;
+  smooth.radii = cloud.radii;
   smooth.origin = cloud.origin;
   smooth.width = cloud.width;
   smooth.height = cloud.height;

@@ -57,14 +57,19 @@ std::vector<Camera> walk_through(const Room& room, std::uint64_t seed, std::uint
   std::vector<Camera> cameras(frames);
   for (std::uint32_t k = 0; k < frames; ++k) {
     const double t = frames > 1 ? k / (frames - 1.0) : 0;
-    const double angle = path.start + 4 * kPi * t;
-    const double turn = kPi * smooth_step((t - 0.42) / 0.16);  // from inwards to outwards
-    const double yaw = angle + kPi + turn + 0.15 * std::sin(22 * kPi * t);
-    const double pitch = (15 + 25 * std::sin(14 * kPi * t)) * kPi / 180;
+    const double angle = path.start + 6 * kPi * t;
+    const double outwards = smooth_step((t - 0.27) / 0.12);
+    const double yaw = angle + kPi + kPi * outwards + 0.15 * std::sin(22 * kPi * t);
+    // Outwards first along the walls' upper halves, then along what stands before them: walls that
+    // furniture hides below hang together above it.
+    const double lowered = smooth_step((t - 0.62) / 0.1);
+    const double pitch = std::lerp(15 + 25 * std::sin(14 * kPi * t),
+                                   -14 + 36 * lowered + 6 * std::sin(14 * kPi * t), outwards);
     const double roll = 3 * std::sin(17 * kPi * t) * kPi / 180;
     // The room's frame is turned about z.
     const Vector3d ahead = room.frame.linear() * Vector3d(std::cos(yaw), std::sin(yaw), 0);
-    cameras[k].pose = aim(place(room, path, angle), std::atan2(ahead.y(), ahead.x()), pitch, roll);
+    cameras[k].pose =
+        aim(place(room, path, angle), std::atan2(ahead.y(), ahead.x()), pitch * kPi / 180, roll);
   }
   return cameras;
 }

@@ -9,9 +9,9 @@
 
 namespace planescope::synthesis {
 
-/// Cameras of a hand-held sensor that is carried twice around the room's middle, in free space: the
-/// first time it looks across the room, the second time outwards, turning over in between; it nods
-/// from above the horizon to 40 degrees below, so that ceiling and floor are seen too.
+/// Cameras of a hand-held sensor that is carried three times around the room's middle, in free
+/// space: the first time it looks across the room, nodding from above the horizon to 40 degrees
+/// below; then outwards, first along the walls' upper halves, then at what stands before them.
 std::vector<Camera> walk_through(const Room& room, std::uint64_t seed, std::uint32_t frames);
 
 }  // namespace planescope::synthesis

@@ -3,6 +3,7 @@
 #include "inputs.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "planescope/synthesize.hpp"
@@ -52,6 +53,19 @@ PointCloud tiled(const PointCloud& cloud, int columns, int rows) {
     }
   result.width = static_cast<std::uint32_t>(result.size());
   return result;
+}
+
+PointCloud as_depth_view(const PointCloud& view, PinholeCamera lens) {
+  DepthCamera camera;
+  DepthImage image{view.width, view.height, {}};
+  for (const Eigen::Vector3f& p : view.positions) {
+    const double depth = is_finite(p) ? std::round(double{p.z()} * camera.depth_scale) : 0;
+    image.values.push_back(static_cast<std::uint16_t>(std::clamp(depth, 0.0, 65535.0)));
+  }
+  lens.width = view.width;
+  lens.height = view.height;
+  camera.lens = lens;
+  return unproject(image, {view.width, view.height, view.colors}, camera);
 }
 
 Options room_options(double voxel_size, double patch_size) {

@@ -8,6 +8,7 @@
 
 #include "planescope/cloud.hpp"
 #include "planescope/options.hpp"
+#include "planescope/sequence.hpp"
 
 /// \file The clouds that benchmarks and score tables run on.
 namespace planescope::bench {
@@ -25,6 +26,9 @@ PointCloud room(std::uint64_t points, std::uint64_t random_seed = 1);
 /// `columns` x `rows` copies of a cloud side by side along x and y, a metre apart: more points at
 /// the same density.
 PointCloud tiled(const PointCloud& cloud, int columns, int rows);
+
+/// What `segment --depth` makes of an organised view: its depths in whole millimetres, unprojected.
+PointCloud as_depth_view(const PointCloud& view, PinholeCamera lens);
 
 /// Room options at the given radii [m].
 Options room_options(double voxel_size, double patch_size);

@@ -18,6 +18,7 @@
 #include "patches/voxel_grid.hpp"
 #include "planescope/io.hpp"
 #include "planescope/pipeline.hpp"
+#include "planescope/sequence.hpp"
 
 namespace planescope::bench {
 
@@ -73,7 +74,8 @@ void per_point(benchmark::State& state, double time, const PointCloud& cloud) {
   state.counters["ns_per_point"] = 1e9 * time / static_cast<double>(cloud.size());
 }
 
-/// The whole engine, reading excluded. Counters: ns a point, and the share of all after patches.
+/// The whole engine, reading excluded. Counters: ns a point, the share of all after patches, and
+/// the share of the 33 ms that a camera gives a frame.
 void engine_timing(const Shared& inputs, const std::string& name, const std::string& cloud_name,
                    std::size_t threads, const Options& options) {
   timing(name, [=](benchmark::State& state) {
@@ -84,6 +86,7 @@ void engine_timing(const Shared& inputs, const std::string& name, const std::str
     per_point(state, time, cloud);
     state.counters["patches_ns_per_point"] =
         1e6 * times.patches / static_cast<double>(cloud.size());
+    state.counters["of_33_ms"] = time / 0.033;
     state.counters["after_patches"] = 1.0 - times.patches / (1e3 * time);
     return time;
   });
@@ -106,6 +109,20 @@ void compare(const Shared& inputs, const std::string& cloud_name, const Options&
     engine_timing(inputs, "ours " + cloud_name + " threads " + std::to_string(threads), cloud_name,
                   threads, options);
   pcl_timing(inputs, cloud_name, options);
+}
+
+/// A stored view as `segment --depth` gets it: a depth image, what auto makes of it, and how long
+/// that takes.
+void single_view(const Shared& inputs, const std::string& name, const std::filesystem::path& view,
+                 const PinholeCamera& lens) {
+  if (!std::filesystem::exists(view)) return;
+  inputs->recipes[name] = [=] { return as_depth_view(read_cloud(view), lens); };
+  compare(inputs, name, Options::automatic((*inputs)[name]));
+  timing("auto " + name, [=](benchmark::State&) {
+    const PointCloud& cloud = (*inputs)[name];
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 2);
+    return seconds([&] { benchmark::DoNotOptimize(Options::automatic(cloud)); });
+  });
 }
 
 void voxel_timings(const Shared& inputs) {
@@ -149,6 +166,8 @@ std::shared_ptr<Inputs> register_timings(const std::filesystem::path& data) {
   inputs->recipes["rooms 16M"] = [] { return tiled(room(1'000'000), 4, 4); };
   inputs->recipes["kinect"] = [view] { return read_cloud(view); };
   if (std::filesystem::exists(view)) compare(inputs, "kinect", Options::tabletop());
+  single_view(inputs, "learn0 depth", view, named_camera("primesense"));
+  single_view(inputs, "TUM depth", data / "tum" / "1341847980.723020.pcd", named_camera("tum_fr3"));
   compare(inputs, "room 1M", room_options(0.01, 0.10));
   compare(inputs, "room 4M", room_options(0.01, 0.10));
   engine_timing(inputs, "growth 1M", "room 1M", 1, room_options(0.01, 0.10));
@@ -163,6 +182,14 @@ std::vector<Ratio> promised_ratios() {
   return {
       {"PCL / ours, Kinect view, 2 threads", "pcl kinect", "ours kinect threads 2", 8},
       {"PCL / ours, Kinect view, 1 thread", "pcl kinect", "ours kinect threads 1", 5},
+      {"PCL / ours, learn0 as a depth image, 2 threads", "pcl learn0 depth",
+       "ours learn0 depth threads 2", 5},
+      {"PCL / ours, a TUM frame as a depth image, 2 threads", "pcl TUM depth",
+       "ours TUM depth threads 2", 5},
+      {"learn0 as a depth image / 33 ms, 2 threads", "ours learn0 depth threads 2:of_33_ms", "", 1,
+       false},
+      {"a TUM frame as a depth image / 33 ms, 2 threads", "ours TUM depth threads 2:of_33_ms", "",
+       1, false},
       {"PCL / ours, room of 1M points, 2 threads", "pcl room 1M", "ours room 1M threads 2", 12},
       {"PCL / ours, room of 1M points, 1 thread", "pcl room 1M", "ours room 1M threads 1", 8},
       {"PCL / ours, room of 4M points, 2 threads", "pcl room 4M", "ours room 4M threads 2", 12},

@@ -48,3 +48,22 @@ mkdir -p "$shared/no_overlap/depth"
 cp "$shared/frames/depth/00000.png" "$shared/no_overlap/depth"
 echo "1.0 depth/00000.png" >"$shared/no_overlap/depth.txt"
 echo "5.0 0 0 0 0 0 0 1" >"$shared/no_overlap/groundtruth.txt"
+# Colours of another size (one pixel), cut off, and missing; poses of the other layouts that are no poses.
+break_as other_color 3
+base64 -d >"$shared/other_color/image/00001.png" <<<"iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg=="
+break_as cut_color 3 && truncate -s 3000 "$shared/cut_color/image/00002.png"
+break_as lost_color 3 && rm "$shared/lost_color/image/00001.png" && ln -s nowhere "$shared/lost_color/image/00001.png"
+break_as color_depth 3 && cp "$shared/frames/image/00001.png" "$shared/color_depth/depth"
+break_as empty_poses 3 && : >"$shared/empty_poses/trajectory.log"
+mkdir -p "$shared/tum_pose" "$shared/scenes_pose"
+cp -r "$shared/no_overlap/." "$shared/tum_pose" && echo "1.0 0 0 0 0 0 0" >"$shared/tum_pose/groundtruth.txt"
+cp "$shared/frames/depth/00000.png" "$shared/scenes_pose/frame-000000.depth.png"
+printf '1 0 0 0\n0 1 0 0\n0 0 one 0\n0 0 0 1\n' >"$shared/scenes_pose/frame-000000.pose.txt"
+
+# A surfel map of the room: a disc of 2 cm each, every fourth of them less certain.
+"$program" synthesize -o "$shared/room_text.ply" --points 40000 --random-seed 5 --normals --ascii -q
+awk '/^property float z/ { print; print "property float radius"; print "property float confidence"; next }
+     body { $3 = $3 " 0.02 " (NR % 4 ? 9 : 2); print; next }
+     /^end_header/ { body = 1 } { print }' "$shared/room_text.ply" >"$shared/surfels.ply"
+sed 's/ 0\.02 [29] / -1 nan /' "$shared/surfels.ply" >"$shared/no_surfels.ply"
+sed '/^property float confidence/d; s/ 0\.02 [29] / 0.02 /' "$shared/surfels.ply" >"$shared/radii.ply"
