@@ -68,12 +68,21 @@ double face_lambda(const std::vector<Patch>& patches, const PlaneOptions& option
   return std::max(kFewestPatches, support_threshold(patches, options.face_area));
 }
 
+std::vector<std::uint8_t> fresh_of(const FreePatches& part, const HeldPlanes& held) {
+  std::vector<std::uint8_t> fresh;
+  for (const std::uint32_t id : part.ids) fresh.push_back(held.fresh[id]);
+  return fresh;
+}
+
 PlaneSelection select_faces(const FreePatches& part, double lambda,
                             const std::vector<SupportingPlane>& standing,
-                            const PlaneOptions& options) {
+                            const PlaneOptions& options, const HeldPlanes* held) {
   const PlaneOptions small = face_options(options);
   const PatchIndex index(part.graph.patches);
-  const Hypotheses found = propose_hypotheses(index, small, lambda);
+  const Hypotheses found =
+      held == nullptr
+          ? propose_hypotheses(index, small, lambda)
+          : renew_hypotheses(index, small, lambda, held->faces, fresh_of(part, *held));
   SelectionEnergy energy =
       selection_energy(found.kept, pair_terms(found.kept, index, part.graph, small), lambda);
   for (std::size_t m = 0; m < energy.size(); ++m) {
@@ -159,14 +168,14 @@ void align_faces(const FreePatches& part, Support& faces,
 ObjectFaces find_object_faces(const PatchGraph& graph,
                               const std::vector<SupportingPlane>& supporting,
                               const std::vector<PatchPlane>& patch_plane,
-                              const PlaneOptions& options) {
+                              const PlaneOptions& options, const HeldPlanes* held) {
   ObjectFaces result;
   result.patch_face.assign(graph.patches.size(), kNone);
   if (options.face_area <= 0) return result;
   const FreePatches part = find_free_patches(graph, patch_plane);
   if (part.ids.empty()) return result;
   const PlaneSelection selection =
-      select_faces(part, face_lambda(graph.patches, options), supporting, options);
+      select_faces(part, face_lambda(graph.patches, options), supporting, options, held);
   std::vector<Plane> planes;
   for (const std::uint32_t s : selection.selected) planes.push_back(selection.hypotheses[s].plane);
   const PlaneOptions small = face_options(options);
@@ -178,6 +187,7 @@ ObjectFaces find_object_faces(const PatchGraph& graph,
     result.patch_face[part.ids[i]] = faces.patch_plane[i].plane;
   }
   result.planes = std::move(faces.planes);
+  for (const PlaneHypothesis& h : selection.hypotheses) result.hypotheses.push_back(h.plane);
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "planes/held_planes.hpp"
 #include "planescope/pipeline.hpp"
 
 namespace planescope {
@@ -13,6 +14,7 @@ namespace planescope {
 struct ObjectFaces {
   std::vector<SupportingPlane> planes;   ///< by area, descending
   std::vector<std::int32_t> patch_face;  ///< per patch: index into `planes`, or kNone
+  std::vector<Plane> hypotheses;         ///< that entered their selection
 };
 
 /// The paper's Section IV once more among the patches that no supporting plane took, for planes of
@@ -21,10 +23,11 @@ struct ObjectFaces {
 /// angle term over them; among one another faces pay for overlap alone, because the sum over dozens
 /// of small faces, each a little noisy, would refuse them all. A face that is parallel or
 /// orthogonal to supporting planes within its own accuracy is fitted with exactly their direction.
+/// \param held what an earlier run found, or null.
 ObjectFaces find_object_faces(const PatchGraph& graph,
                               const std::vector<SupportingPlane>& supporting,
                               const std::vector<PatchPlane>& patch_plane,
-                              const PlaneOptions& options);
+                              const PlaneOptions& options, const HeldPlanes* held = nullptr);
 
 /// What a plane has to say for itself as a face: the terms of the selection above but for overlap.
 struct FaceTerms {

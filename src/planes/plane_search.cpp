@@ -104,6 +104,16 @@ std::vector<Hypothesis> PlaneSearch::fit_uncovered(std::vector<Seed> seeds, std:
   return kept;
 }
 
+void PlaneSearch::drop_covered(std::vector<Seed>& seeds,
+                               const std::vector<Hypothesis>& known) const {
+  Bits covered(index_.words(), 0);
+  for (const Hypothesis& h : known) {
+    const Bits near = index_.inliers({h.plane, sigma_ / 2, kCloseCosine});
+    for (std::size_t w = 0; w < covered.size(); ++w) covered[w] |= near[w];
+  }
+  std::erase_if(seeds, [&](const Seed& seed) { return contains(covered, seed.position); });
+}
+
 std::vector<Hypothesis> PlaneSearch::fit_each(const std::vector<Seed>& seeds,
                                               const std::vector<Hypothesis>& known,
                                               double least_support) const {

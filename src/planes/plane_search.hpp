@@ -38,6 +38,9 @@ class PlaneSearch {
   std::vector<Hypothesis> fit_uncovered(std::vector<Seed> seeds, std::size_t most,
                                         double least_support) const;
 
+  /// Leaves out the seeds that are close inliers of one of `known`.
+  void drop_covered(std::vector<Seed>& seeds, const std::vector<Hypothesis>& known) const;
+
   /// Fits all seeds but those whose plane is close (sigma / 2 at the seed's centre and 10 degrees)
   /// to one of `known`; returns those with at least `least_support` inliers.
   std::vector<Hypothesis> fit_each(const std::vector<Seed>& seeds,
