@@ -57,13 +57,12 @@ MapTracker::State::State(const TrackOptions& chosen) : options(chosen) {
   scene.options = options.engine;
 }
 
-void MapTracker::State::check(const SurfacePiece& piece) {
+void MapTracker::State::check(const SurfacePiece& piece) const {
   if (piece.points.positions.empty()) return;
   if (piece.points.normals.size() != piece.points.size()) {
     throw Error(Error::Kind::Input, "tracking: a piece of the map has no normals");
   }
-  if (!origin) origin = piece.points.origin;
-  if (piece.points.origin != *origin) {
+  if (origin && piece.points.origin != *origin) {
     throw Error(Error::Kind::Input, "tracking: a piece has another origin than the first one");
   }
   if (!(track::mean_of(piece.points).cwiseAbs().maxCoeff() < 1e9 * options.tile_size)) {
@@ -135,7 +134,10 @@ TrackStep MapTracker::State::update(std::uint32_t frame, std::span<const Surface
   TrackStep step;
   step.frame = frame;
   step.pieces = pieces.size();
-  for (const SurfacePiece& piece : pieces) check(piece);  // all, before any is put
+  for (const SurfacePiece& piece : pieces) {  // all, before any is put
+    check(piece);
+    if (!origin && !piece.points.positions.empty()) origin = piece.points.origin;
+  }
   for (const SurfacePiece& piece : pieces) step.changed += put(piece, exactly) ? 1 : 0;
   ++updates;
   const bool last = updates % options.interval == 0;
@@ -165,9 +167,9 @@ TrackStep MapTracker::update_exactly(std::uint32_t frame, std::span<const Surfac
   return state_->update(frame, pieces, true);
 }
 
-TrackResult MapTracker::finish(std::uint32_t frame) const {
+TrackResult MapTracker::finish(std::uint32_t frame, std::span<const SurfacePiece> pieces) const {
   const auto start = std::chrono::steady_clock::now();
-  TrackResult result = state_->finish(frame);
+  TrackResult result = state_->finish(frame, pieces);
   result.step.milliseconds = milliseconds_since(start);
   return result;
 }

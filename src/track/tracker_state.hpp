@@ -49,7 +49,7 @@ struct MapTracker::State {
   double place_size() const { return 2 * options.engine.patches.voxel_size; }
 
   // Pieces into tiles: map_tracker.cpp.
-  void check(const SurfacePiece& piece);
+  void check(const SurfacePiece& piece) const;
   bool put(const SurfacePiece& piece, bool exactly);
   void remove(const BlockKey& key, track::Tile& tile);
   BlockKey place(const Eigen::Vector3d& mean, const BlockKey* before) const;
@@ -67,7 +67,7 @@ struct MapTracker::State {
   void complete();
   std::vector<track::Overlap> overlaps();
 
-  TrackResult finish(std::uint32_t frame) const;  // finish.cpp
+  TrackResult finish(std::uint32_t frame, std::span<const SurfacePiece> pieces) const;  // finish.cpp
 };
 
 }  // namespace planescope
