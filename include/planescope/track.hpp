@@ -25,7 +25,7 @@ namespace planescope {
 /// points: the piece is gone. A loop closure that moves the map gives the moved pieces anew.
 struct SurfacePiece {
   BlockKey key;
-  PointCloud points;  ///< with normals towards the sensor and, if the first one had them, colours
+  PointCloud points;  ///< with normals towards the sensor; with colours, or not
 };
 
 enum class TrackEventKind {

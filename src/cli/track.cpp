@@ -62,13 +62,14 @@ Options resolve_engine(const Arguments& a, const Sequence& sequence) {
   return options;
 }
 
-/// Spread over `step` frames each, about an eighth of the map in each of them.
+/// Spread over `step` frames each, about a tenth of the map patched in each of them.
 TrackOptions track_options(const Arguments& a, const Sequence& sequence) {
   TrackOptions options;
   options.engine = resolve_engine(a, sequence);
   options.tile_size = a.tile;
   options.interval = a.step;
-  options.share = 0.125;
+  options.share = 0.09;
+  options.least_points = 8000;
   return options;
 }
 

@@ -125,8 +125,9 @@ Hypotheses renew_hypotheses(const PatchIndex& index, const PlaneOptions& options
   std::vector<Hypothesis> more =
       search.fit_uncovered(std::move(seeds), static_cast<std::size_t>(most), lambda);
   if (!more.empty()) {
+    more = settle(index, options, lambda, std::move(more));
     std::move(more.begin(), more.end(), std::back_inserter(found));
-    found = settle(index, options, lambda, std::move(found));
+    found = merge_duplicates(std::move(found));
   }
   if (found.size() > options.max_hypotheses) found.resize(options.max_hypotheses);
   result.kept = std::move(found);

@@ -53,6 +53,9 @@ void MapTracker::State::segment_map(TrackStep& step) {
   assemble();
   // Else nothing is there yet, or everything is gone.
   if (!scene.graph.patches.empty()) segment_graph(scene, options.engine, {}, &held);
+  patch_count = scene.graph.patches.size();
+  plane_count = scene.planes.size();
+  segment_count = scene.segments.segments.size();
   objects = book.match(scene.segments.segments, overlaps(), step);
   book_objects();
 }

@@ -95,16 +95,15 @@ TrackResult MapTracker::State::finish(std::uint32_t frame,
     for (const auto& [name, piece] : tile.pieces) own.pieces[name] = &piece.points;
   }
   for (const SurfacePiece& piece : pieces) {
-    check(piece);
-    const auto known = tile_of.find(piece.key);
-    if (known != tile_of.end()) {
-      Latest& own = latest.at(known->second);
+    const Eigen::Vector3d mean = checked_mean(piece);
+    const auto known = home_of.find(piece.key);
+    if (known != home_of.end()) {
+      Latest& own = latest.at(known->second.tile);
       own.other = own.other || piece.points.positions != own.pieces.at(piece.key)->positions;
       own.pieces.erase(piece.key);
     }
     if (piece.points.positions.empty()) continue;
-    const BlockKey* before = known == tile_of.end() ? nullptr : &known->second;
-    Latest& own = latest[place(track::mean_of(piece.points), before)];
+    Latest& own = latest[place(mean, known == home_of.end() ? nullptr : &known->second.tile)];
     own.other = own.other || own.tile == nullptr || !own.tile->pieces.contains(piece.key);
     own.pieces[piece.key] = &piece.points;
   }

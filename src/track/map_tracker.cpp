@@ -57,17 +57,20 @@ MapTracker::State::State(const TrackOptions& chosen) : options(chosen) {
   scene.options = options.engine;
 }
 
-void MapTracker::State::check(const SurfacePiece& piece) const {
-  if (piece.points.positions.empty()) return;
+/// The piece's mean. \throws Error{Kind::Input} the piece does not fit the map.
+Eigen::Vector3d MapTracker::State::checked_mean(const SurfacePiece& piece) const {
+  if (piece.points.positions.empty()) return Eigen::Vector3d::Zero();
   if (piece.points.normals.size() != piece.points.size()) {
     throw Error(Error::Kind::Input, "tracking: a piece of the map has no normals");
   }
   if (origin && piece.points.origin != *origin) {
     throw Error(Error::Kind::Input, "tracking: a piece has another origin than the first one");
   }
-  if (!(track::mean_of(piece.points).cwiseAbs().maxCoeff() < 1e9 * options.tile_size)) {
+  const Eigen::Vector3d mean = track::mean_of(piece.points);
+  if (!(mean.cwiseAbs().maxCoeff() < 1e9 * options.tile_size)) {
     throw Error(Error::Kind::Input, "tracking: a piece lies a billion tiles away from the origin");
   }
+  return mean;
 }
 
 /// The tile of a piece: the one that it is in as long as it lies there but for a few voxels.
@@ -86,6 +89,7 @@ void MapTracker::State::remove(const BlockKey& key, Tile& tile) {
   const auto found = tile.pieces.find(key);
   const std::size_t count = found->second.points.size();
   tile.dirty = true;
+  tile.steady.clear();
   tile.changed += count;
   tile.points -= count;
   point_count -= count;
@@ -93,38 +97,39 @@ void MapTracker::State::remove(const BlockKey& key, Tile& tile) {
 }
 
 /// Puts a piece into its tile. \returns whether that changed the map.
-bool MapTracker::State::put(const SurfacePiece& piece, bool exactly) {
+bool MapTracker::State::put(const SurfacePiece& piece, const Eigen::Vector3d& mean, bool exactly) {
   const PointCloud& now = piece.points;
-  const auto known = tile_of.find(piece.key);
-  Piece next{.points = {}, .mean = track::mean_of(now), .times = 1};
-  if (known != tile_of.end()) {
-    Tile& tile = tiles.at(known->second);
-    Piece& old = tile.pieces.at(piece.key);
-    if (old.times < 255 && ++old.times == options.steady_after) tile.steady.clear();
+  const auto known = home_of.find(piece.key);
+  if (known == home_of.end() && now.positions.empty()) return false;
+  std::uint8_t times = 1;
+  if (known != home_of.end()) {
+    Piece& old = *known->second.piece;
+    if (old.times < 255) ++old.times;
+    times = old.times;
     const auto before = static_cast<double>(old.points.size());
     const auto after = static_cast<double>(now.size());
     const bool differs =
         std::abs(after - before) > options.change * std::max(before, after) ||
-        (next.mean - old.mean).norm() > options.change * options.engine.patches.voxel_size;
-    if (exactly ? equal(old.points, now) : !differs) return false;
-    next.times = old.times;
-    remove(piece.key, tile);
-  } else if (now.positions.empty()) {
-    return false;
+        (mean - old.mean).norm() > options.change * options.engine.patches.voxel_size;
+    const bool takes = exactly ? !equal(old.points, now) : differs;
+    Tile* tile = takes || times == options.steady_after ? &tiles.at(known->second.tile) : nullptr;
+    if (times == options.steady_after) tile->steady.clear();
+    if (!takes) return false;
+    remove(piece.key, *tile);
   }
   if (now.positions.empty()) {
-    tile_of.erase(known);
+    home_of.erase(known);
     return true;
   }
-  const BlockKey key = place(next.mean, known == tile_of.end() ? nullptr : &known->second);
+  const BlockKey key = place(mean, known == home_of.end() ? nullptr : &known->second.tile);
   Tile& tile = tiles[key];
   tile.dirty = true;
   tile.points += now.size();
   tile.changed += now.size();
   point_count += now.size();
-  next.points = now;
-  tile.pieces[piece.key] = std::move(next);
-  tile_of[piece.key] = key;
+  Piece& own = tile.pieces[piece.key];
+  own = {.points = now, .mean = mean, .times = times};
+  home_of[piece.key] = {key, &own};
   return true;
 }
 
@@ -134,11 +139,14 @@ TrackStep MapTracker::State::update(std::uint32_t frame, std::span<const Surface
   TrackStep step;
   step.frame = frame;
   step.pieces = pieces.size();
+  std::vector<Eigen::Vector3d> means;
   for (const SurfacePiece& piece : pieces) {  // all, before any is put
-    check(piece);
+    means.push_back(checked_mean(piece));
     if (!origin && !piece.points.positions.empty()) origin = piece.points.origin;
   }
-  for (const SurfacePiece& piece : pieces) step.changed += put(piece, exactly) ? 1 : 0;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    step.changed += put(pieces[i], means[i], exactly) ? 1 : 0;
+  }
   ++updates;
   const bool last = updates % options.interval == 0;
   if (!last || options.interval == 1) step.tiles = repatch();
@@ -146,9 +154,9 @@ TrackStep MapTracker::State::update(std::uint32_t frame, std::span<const Surface
   const auto is_dirty = [](const auto& entry) { return entry.second.dirty; };
   step.waiting = static_cast<std::size_t>(std::ranges::count_if(tiles, is_dirty));
   step.points = point_count;
-  step.patches = scene.graph.patches.size();
-  step.planes = scene.planes.size();
-  step.segments = scene.segments.segments.size();
+  step.patches = patch_count;
+  step.planes = plane_count;
+  step.segments = segment_count;
   step.milliseconds = milliseconds_since(start);
   return step;
 }

@@ -21,6 +21,8 @@ void renew(Tile& tile, const BlockKey& key, const TrackOptions& options, double 
                                : track::PlaceMemory();
   }
   PointCloud cloud;
+  cloud.positions.reserve(tile.points);
+  cloud.normals.reserve(tile.points);
   std::vector<std::pair<BlockKey, std::uint32_t>> pieces;
   for (const auto& [name, piece] : tile.pieces) {
     track::append(piece.points, cloud);

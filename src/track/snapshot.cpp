@@ -12,16 +12,17 @@
 /// \file A tracker as bytes: one section `tracker` (io/state_stream.hpp) of
 ///   options: text `name=value` lines of the engine, then tile_size, change, share (f64), interval,
 ///     least_points, steady_after (u32)
-///   updates u64; origin: u8 whether known, 3 f64
+///   updates, patches, planes and segments of the last segmentation (u64); origin: u8 whether known, 3 f64
 ///   objects: last number u32; lists of u32: alive, those that had a plane
 ///   planes held: two lists (u64 length) of planes, 4 f32 each
 ///   tiles: u64 count, each: key 3 i32; pieces: u64 count, each: key 3 i32, times u8, cloud
 ///     changed u64; flags u8: 1 dirty, 2 patched, 4 fresh
 ///     patched and dirty: the cloud that was patched, u64 count of its pieces, each: key 3 i32, u32
 ///     patched, not fresh: list of u32, the object of each patch
-///     fresh: u64 count of places, each: voxel (z, y, x) 3 i32, object u32
+///     fresh: u64 count of places, each: voxel (z, y, x) 3 i32, object u32; u64 count of patches,
+///     each: u64 count of votes, each: object, points, steady (u32)
 ///   a cloud: lists of positions and normals (3 f32), and of colours (3 u8)
-/// Patches, rims, joints and votes follow from these, and are made again: nothing that is read can
+/// Patches, rims and joints follow from these, and are made again: nothing that is read can
 /// contradict them. What the last segmentation looked like is not kept.
 namespace planescope {
 
@@ -147,6 +148,31 @@ track::PlaceMemory get_memory(io::StateReader& from, std::uint32_t last_object) 
   return memory;
 }
 
+void put_votes(io::StateWriter& to, const std::vector<std::vector<track::Vote>>& votes) {
+  to.put<std::uint64_t>(votes.size());
+  for (const std::vector<track::Vote>& own : votes) {
+    to.put<std::uint64_t>(own.size());
+    for (const track::Vote& vote : own) {
+      for (const std::uint32_t part : {vote.object, vote.points, vote.steady}) to.put(part);
+    }
+  }
+}
+
+std::vector<std::vector<track::Vote>> get_votes(io::StateReader& from, std::uint32_t last_object) {
+  std::vector<std::vector<track::Vote>> votes;
+  for (std::size_t patches = from.length(8); patches > 0; --patches) {
+    std::vector<track::Vote>& own = votes.emplace_back();
+    for (std::size_t count = from.length(12); count > 0; --count) {
+      track::Vote& vote = own.emplace_back();
+      for (std::uint32_t* part : {&vote.object, &vote.points, &vote.steady}) {
+        *part = from.get<std::uint32_t>();
+      }
+      from.require(vote.object >= 1 && vote.object <= last_object, "a vote for no object");
+    }
+  }
+  return votes;
+}
+
 void put_tile(io::StateWriter& to, const Tile& tile) {
   to.put<std::uint64_t>(tile.pieces.size());
   for (const auto& [key, piece] : tile.pieces) {
@@ -167,7 +193,9 @@ void put_tile(io::StateWriter& to, const Tile& tile) {
     }
   }
   if (tile.patched && !tile.fresh) to.list(tile.objects);
-  if (tile.fresh) put_memory(to, tile.memory);
+  if (!tile.fresh) return;
+  put_memory(to, tile.memory);
+  put_votes(to, tile.votes);
 }
 
 }  // namespace
@@ -177,6 +205,9 @@ void MapTracker::write(std::ostream& stream) const {
   io::StateWriter to(stream, kName, kVersion);
   put_options(to, state.options);
   to.put(state.updates);
+  for (const std::uint64_t n : {state.patch_count, state.plane_count, state.segment_count}) {
+    to.put(n);
+  }
   to.put<std::uint8_t>(state.origin ? 1 : 0);
   for (int k = 0; k < 3; ++k) to.put(state.origin ? (*state.origin)[k] : 0.0);
   state.book.write(to);
@@ -254,19 +285,21 @@ Stored get_tile(io::StateReader& from, const Eigen::Vector3d& origin, std::uint3
       from.require(object >= 1 && object <= last_object, "a patch of no object");
     }
   }
-  if (stored.tile.fresh) stored.tile.memory = get_memory(from, last_object);
+  if (stored.tile.fresh) {
+    stored.tile.memory = get_memory(from, last_object);
+    stored.tile.votes = get_votes(from, last_object);
+  }
   return stored;
 }
 
 /// Patches what was patched.
-void patch_again(Stored& stored, const TrackOptions& options, double place_size) {
+void patch_again(Stored& stored, const TrackOptions& options) {
   if ((stored.flags & kPatched) == 0) return;
   Tile& tile = stored.tile;
   stored.cloud.width = static_cast<std::uint32_t>(stored.cloud.size());
   tile.patched = std::make_shared<const PatchedTile>(
       track::patch_tile(std::move(stored.cloud), std::move(stored.pieces), stored.key,
                         options.tile_size, options.engine.patches));
-  if (tile.fresh) tile.votes = track::vote(tile, place_size, options.steady_after);
 }
 
 }  // namespace
@@ -275,7 +308,10 @@ MapTracker MapTracker::read(std::istream& stream, const std::string& name) try {
   io::StateReader from(stream, name, kName, kVersion);
   MapTracker tracker(get_options(from));
   State& state = *tracker.state_;
-  state.updates = from.get<std::uint64_t>();
+  for (std::uint64_t* n :
+       {&state.updates, &state.patch_count, &state.plane_count, &state.segment_count}) {
+    *n = from.get<std::uint64_t>();
+  }
   const bool placed = from.get<std::uint8_t>() != 0;
   Eigen::Vector3d origin;
   for (int k = 0; k < 3; ++k) origin[k] = from.get<double>();
@@ -290,19 +326,21 @@ MapTracker MapTracker::read(std::istream& stream, const std::string& name) try {
   }
   from.finish();
   tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t i) {
-    patch_again(tiles[i], state.options, state.place_size());
+    patch_again(tiles[i], state.options);
   });
   std::vector<BlockKey> keys;
   for (Stored& stored : tiles) {
     const Tile& tile = stored.tile;
-    from.require(tile.fresh || tile.objects.size() == tile.patch_count(),
+    from.require((tile.fresh ? tile.votes.size() : tile.objects.size()) == tile.patch_count(),
                  "not one object a patch: another version of the engine made it");
-    for (const auto& [key, piece] : tile.pieces) {
-      from.require(state.tile_of.emplace(key, stored.key).second, "a piece in two tiles");
-    }
     state.point_count += tile.points;
     if (tile.patched) keys.push_back(stored.key);
-    from.require(state.tiles.emplace(stored.key, std::move(stored.tile)).second, "a tile twice");
+    const auto [entry, added] = state.tiles.emplace(stored.key, std::move(stored.tile));
+    from.require(added, "a tile twice");
+    for (auto& [key, piece] : entry->second.pieces) {
+      from.require(state.home_of.emplace(key, State::Home{stored.key, &piece}).second,
+                   "a piece in two tiles");
+    }
   }
   state.join(keys);
   return tracker;

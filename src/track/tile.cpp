@@ -10,9 +10,11 @@ namespace {
 
 VoxelKey voxel_of(const Eigen::Vector3f& p, double voxel_size) {
   constexpr double kMost = 2e9;  // pieces may lie anywhere
-  const auto part = [&](float v) {
-    return static_cast<std::int32_t>(
-        std::clamp(std::floor(static_cast<double>(v) / voxel_size), -kMost, kMost));
+  const double inverse = 1 / voxel_size;
+  const auto part = [&](float v) {  // std::floor is a call without SSE 4.1, and this runs for all
+    const double scaled = std::clamp(static_cast<double>(v) * inverse, -kMost, kMost);
+    const auto whole = static_cast<std::int32_t>(scaled);
+    return whole - (scaled < static_cast<double>(whole) ? 1 : 0);
   };
   return {part(p.z()), part(p.y()), part(p.x())};
 }
@@ -32,12 +34,6 @@ std::vector<std::pair<VoxelKey, std::uint32_t>> majority(
     best = end - begin;
   }
   return result;
-}
-
-std::uint32_t find(const std::vector<std::pair<VoxelKey, std::uint32_t>>& sorted,
-                   const VoxelKey& key, std::uint32_t missing) {
-  const auto found = std::lower_bound(sorted.begin(), sorted.end(), std::pair(key, 0u));
-  return found != sorted.end() && found->first == key ? found->second : missing;
 }
 
 /// Fills in which patches lie at the tile's faces, and where.
@@ -86,13 +82,21 @@ void append(const PointCloud& points, PointCloud& to) {
   const auto add = [](auto& all, const auto& more) {
     all.insert(all.end(), more.begin(), more.end());
   };
+  constexpr Rgb kUnseen{128, 128, 128};  // a camera's first frames may lack colours
+  if (!points.colors.empty() || !to.colors.empty()) {
+    to.colors.resize(to.size(), kUnseen);
+    add(to.colors, points.colors);
+    to.colors.resize(to.size() + points.size(), kUnseen);
+  }
   add(to.positions, points.positions);
   add(to.normals, points.normals);
-  add(to.colors, points.colors);
 }
 
 Eigen::Vector3d mean_of(const PointCloud& cloud) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3f& p : cloud.positions) sum += p.cast<double>();
+  if (sum.allFinite()) return sum / static_cast<double>(std::max<std::size_t>(1, cloud.size()));
+  sum.setZero();
   std::size_t count = 0;
   for (const Eigen::Vector3f& p : cloud.positions) {
     if (!is_finite(p)) continue;
@@ -118,7 +122,6 @@ PatchedTile patch_tile(PointCloud cloud, std::vector<std::pair<BlockKey, std::ui
 }
 
 std::vector<Adjacency> join_tiles(const PatchedTile& a, const PatchedTile& b) {
-  constexpr std::uint32_t kMissing = ~0u;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   if (a.rim.empty() || b.rim.empty()) return {};
   for (const auto& [voxel, patch] : a.rim) {
@@ -127,10 +130,13 @@ std::vector<Adjacency> join_tiles(const PatchedTile& a, const PatchedTile& b) {
       near_other = near_other && voxel[k] >= b.rim_lower[k] - 1 && voxel[k] <= b.rim_upper[k] + 1;
     }
     if (!near_other) continue;
-    for (int n = 0; n < 27; ++n) {
-      const VoxelKey near = {voxel[0] + n / 9 - 1, voxel[1] + n / 3 % 3 - 1, voxel[2] + n % 3 - 1};
-      const std::uint32_t other = find(b.rim, near, kMissing);
-      if (other != kMissing) pairs.emplace_back(patch, other);
+    for (int n = 0; n < 9; ++n) {  // rows of three
+      const VoxelKey left = {voxel[0] + n / 3 - 1, voxel[1] + n % 3 - 1, voxel[2] - 1};
+      const VoxelKey right = {left[0], left[1], voxel[2] + 1};
+      for (auto found = std::lower_bound(b.rim.begin(), b.rim.end(), std::pair(left, 0u));
+           found != b.rim.end() && found->first <= right; ++found) {
+        pairs.emplace_back(patch, found->second);
+      }
     }
   }
   std::sort(pairs.begin(), pairs.end());

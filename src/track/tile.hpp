@@ -28,7 +28,8 @@ struct VoxelHash {
   }
 };
 
-/// Adds the points at the end of a cloud; its width is left alone.
+/// Adds the points at the end of a cloud; its width is left alone. Where only one of the two has
+/// colours the other's points are grey.
 void append(const PointCloud& points, PointCloud& to);
 
 /// [m] Of the finite points; zero where there are none.

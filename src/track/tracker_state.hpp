@@ -27,12 +27,18 @@ struct BlockHash {
 struct MapTracker::State {
   TrackOptions options;
   std::map<BlockKey, track::Tile> tiles;
-  std::unordered_map<BlockKey, BlockKey, BlockHash> tile_of;  ///< per piece that has points
+  /// Where a piece that has points is; nodes of maps stay in place.
+  struct Home {
+    BlockKey tile;
+    track::Piece* piece = nullptr;
+  };
+  std::unordered_map<BlockKey, Home, BlockHash> home_of;
   /// Borders between patches of two tiles, each pair once, lower key first.
   std::map<std::pair<BlockKey, BlockKey>, std::vector<Adjacency>> joints;
   track::ObjectBook book;
   HeldPlanes held;
   std::uint64_t updates = 0;  ///< so far
+  std::uint64_t patch_count = 0, plane_count = 0, segment_count = 0;  ///< of the last segmentation
   std::optional<Eigen::Vector3d> origin;
   std::size_t point_count = 0;  ///< of all pieces
 
@@ -49,8 +55,8 @@ struct MapTracker::State {
   double place_size() const { return 2 * options.engine.patches.voxel_size; }
 
   // Pieces into tiles: map_tracker.cpp.
-  void check(const SurfacePiece& piece) const;
-  bool put(const SurfacePiece& piece, bool exactly);
+  Eigen::Vector3d checked_mean(const SurfacePiece& piece) const;
+  bool put(const SurfacePiece& piece, const Eigen::Vector3d& mean, bool exactly);
   void remove(const BlockKey& key, track::Tile& tile);
   BlockKey place(const Eigen::Vector3d& mean, const BlockKey* before) const;
   TrackStep update(std::uint32_t frame, std::span<const SurfacePiece> pieces, bool exactly);
