@@ -15,6 +15,7 @@
 #include "cli/run_info.hpp"
 #include "cli/scene_arguments.hpp"
 #include "cli/staged_folder.hpp"
+#include "cli/track_pictures.hpp"
 #include "cli/track_snapshot.hpp"
 #include "cli/track_tables.hpp"
 #include "cli/values.hpp"
@@ -37,6 +38,7 @@ struct Arguments {
   fs::path sequence, folder, resume;
   std::uint32_t step = 5, every = 0;
   double tile = TrackOptions{}.tile_size;
+  std::string animate;
   bool no_pictures = false;
 };
 
@@ -117,7 +119,7 @@ void write_snapshot_folder(const Arguments& a, const TrackRun& run, const Sequen
 }
 
 /// Fuses and tracks one frame.
-void advance(const Sequence& sequence, TrackRun& run) {
+void advance(const Sequence& sequence, const TrackCamera& camera, TrackRun& run) {
   const Frame frame = sequence.read(run.done);
   if (run.done > 0 && jumps(sequence.info(run.done - 1), frame.info)) {
     run.tables.add_jump(frame.info.number);
@@ -127,27 +129,31 @@ void advance(const Sequence& sequence, TrackRun& run) {
   run.volume.integrate(frame.depth, frame.color, sequence.camera(), frame.info.pose);
   const std::vector<SurfacePiece> pieces = changed_pieces(run.volume, since);
   const double fused = watch.lap();
-  run.tables.add(run.tracker.update(frame.info.number, pieces), fused);
+  const TrackStep step = run.tracker.update(frame.info.number, pieces);
+  run.tables.add(step, fused);
+  camera.take(run.tracker, step, frame.info, run.pictures);
   ++run.done;
 }
 
-void follow(const Arguments& a, const Sequence& sequence, TrackRun& run) {
+void follow(const Arguments& a, const Sequence& sequence, const TrackCamera& camera,
+            TrackRun& run) {
   const Progress progress = a.console.progress();
   while (run.done < sequence.size()) {
     if (progress) progress("tracking", double(run.done) / double(sequence.size()));
-    advance(sequence, run);
+    advance(sequence, camera, run);
     if (a.every > 0 && run.done % a.every == 0) write_snapshot_folder(a, run, sequence);
   }
   if (progress) progress("tracking", 1);
 }
 
-void write(const Arguments& a, const TrackResult& result, const TrackTables& tables,
+void write(const Arguments& a, const TrackResult& result, const TrackRun& tracked,
            const InputInfo& input, RunInfo& run, const Stopwatch& since_start) {
   StagedFolder staged(a.folder);
   Stopwatch watch;
-  save_result(result, tables, input, staged.path());
+  save_result(result, tracked.tables, input, staged.path());
   run.write = watch.lap();
   if (!a.no_pictures) {
+    write_track_pictures(tracked.pictures, tracked.tables, staged.path());
     RenderOptions drawing;
     a.camera.apply(drawing);
     render_pictures(result.scene, result.map, drawing, staged.path(), input);
@@ -155,7 +161,8 @@ void write(const Arguments& a, const TrackResult& result, const TrackTables& tab
   run.pictures = watch.lap();
   run.total = Stopwatch(since_start).lap();
   write_whole(staged.path() / "run.json", run.json());
-  staged.publish("result.json", {"overview.png", "segments.png", "planes.png", "graph.png"});
+  staged.publish("result.json", {"overview.png", "segments.png", "planes.png", "graph.png",
+                                 "growth.png", "track.png"});
 }
 
 void report(const Arguments& a, const Sequence& sequence, const TrackTables& tables,
@@ -185,14 +192,14 @@ void run(Arguments& a) {
                      ? TrackRun{TsdfVolume(a.depth.fusion), MapTracker(options), {}, 0}
                      : read_snapshot(a.resume, sequence, options, a.depth.fusion);
   if (!a.resume.empty()) a.console.say("going on after " + std::to_string(run.done) + " frames");
-  follow(a, sequence, run);
+  follow(a, sequence, TrackCamera(a.animate, drawing, sequence, options), run);
   const TrackResult result = finish(run, sequence);
   run.tables.close(result.step);
   RunInfo info;
   info.stages = result.scene.times;
   info.threads =
       tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-  write(a, result, run.tables, {a.sequence.filename().string(), sequence.hash()}, info,
+  write(a, result, run, {a.sequence.filename().string(), sequence.hash()}, info,
         since_start);
   report(a, sequence, run.tables, result);
 }
@@ -223,6 +230,12 @@ Command add_track(CLI::App& program) {
       ->add_option("--resume", a->resume,
                    "Go on from such a snapshot; the other options must be those of its run")
       ->type_name("SNAPSHOT");
+  command
+      ->add_option("--animate", a->animate,
+                   "The growing map as an animated PNG, a picture after each --step: from one "
+                   "place (steady), or as the camera moves (sensor)")
+      ->check(CLI::IsMember({"steady", "sensor"}))
+      ->type_name("HOW");
   command->add_option("--tile", a->tile, "Edge of the cubes that are patched by themselves [m]")
       ->check(CLI::Range(0.01, 100.0))
       ->capture_default_str()
@@ -231,7 +244,8 @@ Command add_track(CLI::App& program) {
   a->depth.declare_camera(*command);
   a->depth.declare_sequence(*command);
   a->camera.declare(*command);
-  command->add_flag("--no-pictures", a->no_pictures, "Write no PNG (needs no OpenGL)");
+  command->add_flag("--no-pictures", a->no_pictures, "Write no PNG (needs no OpenGL)")
+      ->excludes("--animate");
   a->console.declare(*command);
   return {command, [a] { run(*a); }};
 }

@@ -114,6 +114,8 @@ void write_snapshot(const TrackRun& run, const Sequence& sequence, const fs::pat
     put_pose(to, sequence.info(i).pose);
   }
   run.tables.store(to);
+  to.put<std::uint64_t>(run.pictures.size());
+  for (const std::string& picture : run.pictures) to.text(picture);
   to.finish();
   run.volume.write(stream);
   run.tracker.write(stream);
@@ -136,12 +138,15 @@ TrackRun read_snapshot(const fs::path& folder, const Sequence& sequence,
   io::StateReader from(stream, file, kName, kVersion);
   const std::size_t done = check_sequence(from, sequence, file);
   tables.restore(from);
+  std::vector<std::string> pictures;
+  for (std::size_t left = from.length(8); left > 0; --left) pictures.push_back(from.text());
   from.finish();
   TsdfVolume volume = TsdfVolume::read(stream, file);
   check_fusion(file, volume.options(), fusion);
   MapTracker tracker = MapTracker::read(stream, file);
   check_options(file, tracker.options(), options);
-  return {std::move(volume), std::move(tracker), std::move(tables), done};
+  return {std::move(volume), std::move(tracker), std::move(tables), done,
+          std::move(pictures)};
 }
 
 }  // namespace planescope::cli

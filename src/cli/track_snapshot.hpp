@@ -17,7 +17,8 @@
 /// layout of a section):
 ///   `track`   the camera: width, height (u32), fx, fy, cx, cy, depth_scale, min_depth, max_depth
 ///             (f64); the frames done: u64 count, each: number u32, camera to world, 3 x 4 f64 by
-///             rows; tables: two texts and 6 u64 (TrackTables::store)
+///             rows; tables: two texts and 6 u64 (TrackTables::store); the pictures taken: u64
+///             count, each a text
 ///   `volume`  fusion/volume_file.cpp
 ///   `tracker` track/snapshot.cpp
 /// Its size is the map's: about 11 kB a block of 8 x 8 x 8 fusion voxels.
@@ -30,7 +31,8 @@ struct TrackRun {
   TsdfVolume volume;
   MapTracker tracker;
   TrackTables tables;
-  std::size_t done = 0;  ///< frames of the sequence
+  std::size_t done = 0;               ///< frames of the sequence
+  std::vector<std::string> pictures = {};  ///< encoded, of the animation
 };
 
 /// Writes snapshot.bin into `folder`, whole or not at all.
