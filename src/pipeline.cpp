@@ -111,7 +111,9 @@ void segment_graph(Segmentation& scene, const Options& options, const Progress& 
       });
   if (held != nullptr) {
     held->supporting.clear();
-    for (const PlaneHypothesis& h : scene.selection.hypotheses) held->supporting.push_back(h.plane);
+    for (const PlaneHypothesis& h : scene.selection.hypotheses) {
+      held->supporting.push_back({h.plane, h.selected});
+    }
   }
   clock.start(times.assignment);
   const std::vector<std::int32_t> assignment = assign_planes(

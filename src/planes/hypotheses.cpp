@@ -59,8 +59,11 @@ std::vector<Hypothesis> settle(const PatchIndex& index, const PlaneOptions& opti
                                std::vector<Hypothesis> found) {
   constexpr int kSteps = 8;  // most settle earlier
   const PlaneSearch search(index, options);
-  tbb::parallel_for(std::size_t{0}, found.size(),
-                    [&](std::size_t i) { found[i] = search.refit(found[i].plane, kSteps); });
+  tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
+    const bool held = found[i].held;
+    found[i] = search.refit(found[i].plane, kSteps);
+    found[i].held = held;
+  });
   std::erase_if(found, [&](const Hypothesis& h) { return h.support <= lambda; });
   return merge_duplicates(std::move(found));
 }
@@ -91,7 +94,12 @@ std::vector<Hypothesis> merge_duplicates(std::vector<Hypothesis> hypotheses) {
   std::vector<Hypothesis> kept;
   for (Hypothesis& h : hypotheses) {
     const auto same = [&](const Hypothesis& k) { return near_duplicate(k, h); };
-    if (std::none_of(kept.begin(), kept.end(), same)) kept.push_back(std::move(h));
+    const auto found = std::find_if(kept.begin(), kept.end(), same);
+    if (found == kept.end()) {
+      kept.push_back(std::move(h));
+    } else {
+      found->held = found->held || h.held;
+    }
   }
   return kept;
 }
@@ -109,12 +117,14 @@ Hypotheses propose_hypotheses(const PatchIndex& index, const PlaneOptions& optio
 }
 
 Hypotheses renew_hypotheses(const PatchIndex& index, const PlaneOptions& options, double lambda,
-                            const std::vector<Plane>& held,
+                            const std::vector<HeldPlane>& held,
                             const std::vector<std::uint8_t>& fresh) {
   Hypotheses result;
   if (index.size() == 0) return result;
   std::vector<Hypothesis> found;
-  for (const Plane& plane : held) found.push_back({.plane = plane, .support = 0, .inliers = {}});
+  for (const HeldPlane& h : held) {
+    found.push_back({.plane = h.plane, .support = 0, .inliers = {}, .held = h.selected});
+  }
   found = settle(index, options, lambda, std::move(found));
   std::vector<Seed> seeds = patch_seeds(index, options.max_curvature);
   std::erase_if(seeds, [&](const Seed& s) { return fresh[index.patch(s.position)] == 0; });

@@ -41,10 +41,11 @@ Hypotheses propose_hypotheses(const PatchIndex& index, const PlaneOptions& optio
 /// only fresh patches that lie close to none of them propose others. \param held planes known.
 /// \param fresh per patch of the index: 1 if it may propose.
 Hypotheses renew_hypotheses(const PatchIndex& index, const PlaneOptions& options, double lambda,
-                            const std::vector<Plane>& held, const std::vector<std::uint8_t>& fresh);
+                            const std::vector<HeldPlane>& held,
+                            const std::vector<std::uint8_t>& fresh);
 
 /// Of several hypotheses with nearly the same plane (5 degrees) and inliers (80 % of the larger
-/// set) only the one with most inliers remains. The result is sorted by support, descending; ties
+/// set) only the one with most inliers remains, held if one of them is. The result is sorted by support, descending; ties
 /// keep the given order.
 std::vector<Hypothesis> merge_duplicates(std::vector<Hypothesis> hypotheses);
 

@@ -93,7 +93,7 @@ PlaneSelection select_faces(const FreePatches& part, double lambda,
   const std::vector<bool> x = minimise_selection(energy, small.solver, small.tabu_steps);
   PlaneSelection selection;
   for (std::uint32_t m = 0; m < x.size(); ++m) {
-    selection.hypotheses.push_back({.plane = found.kept[m].plane});
+    selection.hypotheses.push_back({.plane = found.kept[m].plane, .selected = x[m]});
     if (x[m]) selection.selected.push_back(m);
   }
   return selection;
@@ -187,7 +187,9 @@ ObjectFaces find_object_faces(const PatchGraph& graph,
     result.patch_face[part.ids[i]] = faces.patch_plane[i].plane;
   }
   result.planes = std::move(faces.planes);
-  for (const PlaneHypothesis& h : selection.hypotheses) result.hypotheses.push_back(h.plane);
+  for (const PlaneHypothesis& h : selection.hypotheses) {
+    result.hypotheses.push_back({h.plane, h.selected});
+  }
   return result;
 }
 

@@ -14,7 +14,7 @@ namespace planescope {
 struct ObjectFaces {
   std::vector<SupportingPlane> planes;   ///< by area, descending
   std::vector<std::int32_t> patch_face;  ///< per patch: index into `planes`, or kNone
-  std::vector<Plane> hypotheses;         ///< that entered their selection
+  std::vector<HeldPlane> hypotheses;     ///< that entered their selection
 };
 
 /// The paper's Section IV once more among the patches that no supporting plane took, for planes of

@@ -34,7 +34,7 @@ Hypothesis PlaneSearch::refit(const Plane& plane, int steps) const {
   const auto members_of = [&](const Plane& p) {
     return index_.inliers({.plane = p, .half_width = sigma_, .gate = fit_gate_});
   };
-  Hypothesis result{.plane = plane, .support = 0, .inliers = {}};
+  Hypothesis result{.plane = plane, .support = 0, .inliers = {}, .held = false};
   Bits members = members_of(plane);
   for (int step = 0; step < steps; ++step) {
     result.plane = fit_plane(index_, members, result.plane, sigma_);

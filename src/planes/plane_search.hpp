@@ -17,6 +17,7 @@ struct Hypothesis {
   Plane plane;
   std::uint32_t support = 0;  ///< |I|, the size of `inliers`
   Bits inliers;               ///< positions in the index that it was fitted on
+  bool held = false;          ///< it, or a near-duplicate, was selected in an earlier run
 };
 
 /// Fits planes to the inliers among the patches of one index; the index must outlive it.

@@ -14,7 +14,7 @@
 ///     least_points, steady_after (u32)
 ///   updates, patches, planes and segments of the last segmentation (u64); origin: u8 whether known, 3 f64
 ///   objects: last number u32; lists of u32: alive, those that had a plane
-///   planes held: two lists (u64 length) of planes, 4 f32 each
+///   planes held: two lists (u64 length) of planes, 4 f32 and u8 whether selected
 ///   tiles: u64 count, each: key 3 i32; pieces: u64 count, each: key 3 i32, times u8, cloud
 ///     changed u64; flags u8: 1 dirty, 2 patched, 4 fresh
 ///     patched and dirty: the cloud that was patched, u64 count of its pieces, each: key 3 i32, u32
@@ -73,19 +73,22 @@ PointCloud get_cloud(io::StateReader& from, const Eigen::Vector3d& origin) {
   return cloud;
 }
 
-void put_planes(io::StateWriter& to, const std::vector<Plane>& planes) {
+void put_planes(io::StateWriter& to, const std::vector<HeldPlane>& planes) {
   to.put<std::uint64_t>(planes.size());
-  for (const Plane& plane : planes) {
-    to.put(plane.normal);
-    to.put(plane.distance);
+  for (const HeldPlane& held : planes) {
+    to.put(held.plane.normal);
+    to.put(held.plane.distance);
+    to.put<std::uint8_t>(held.selected ? 1 : 0);
   }
 }
 
-std::vector<Plane> get_planes(io::StateReader& from) {
-  std::vector<Plane> planes(from.length(4 * sizeof(float)));
-  for (Plane& plane : planes) {
+std::vector<HeldPlane> get_planes(io::StateReader& from) {
+  std::vector<HeldPlane> planes(from.length(4 * sizeof(float) + 1));
+  for (HeldPlane& held : planes) {
+    Plane& plane = held.plane;
     plane.normal = from.get<Eigen::Vector3f>();
     plane.distance = from.get<float>();
+    held.selected = from.get<std::uint8_t>() != 0;
     from.require(std::abs(plane.normal.norm() - 1) < 1e-3f && std::isfinite(plane.distance),
                  "a plane without unit normal");
   }
