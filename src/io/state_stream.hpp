@@ -20,7 +20,9 @@
 ///   4 bytes   its version
 ///   4 bytes   0x01020304: the byte order
 ///   ...       values as they are written; lists and texts as their length (8 bytes) and elements
-///   8 bytes   64-bit FNV-1a over all of the above, a word of 8 bytes at a time
+///   8 bytes   a hash of all of the above: of each value or list, a word of 8 bytes at a time (the
+///             last one padded with zeros): h = (h ^ word) * 0x100000001b3, h ^= h >> 32; h
+///             begins as 0xcbf29ce484222325 (FNV-1a, with a shift so that high bits come down)
 namespace planescope::io {
 
 /// The hash behind a section.
