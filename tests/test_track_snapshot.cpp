@@ -62,10 +62,10 @@ Pieces look(const PointCloud& room, std::uint32_t k) {
 
 bool same(const TrackStep& a, const TrackStep& b) {
   const auto numbers = [](const TrackStep& s) {
-    return std::vector<std::size_t>{s.frame,    s.pieces,  s.changed, s.tiles,   s.waiting,
-                                    s.segmented, s.points,  s.patches, s.planes,  s.segments,
-                                    s.carried,  s.kept,    s.steady,  s.steady_kept,
-                                    s.events.size()};
+    return std::vector<std::size_t>{s.frame,   s.pieces,      s.changed,      s.tiles,
+                                    s.waiting, s.segmented,   s.points,       s.patches,
+                                    s.planes,  s.segments,    s.carried,      s.kept,
+                                    s.steady,  s.steady_kept, s.events.size()};
   };
   return numbers(a) == numbers(b);
 }

@@ -18,7 +18,8 @@ inline constexpr double kPiece = 0.16;  // [m]
 using Pieces = std::vector<SurfacePiece>;
 
 /// The cloud's points by cells of a grid, those that `take` takes.
-inline Pieces cut(const PointCloud& cloud, const std::function<bool(const Eigen::Vector3f&)>& take) {
+inline Pieces cut(const PointCloud& cloud,
+                  const std::function<bool(const Eigen::Vector3f&)>& take) {
   std::map<BlockKey, PointCloud> cells;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const Eigen::Vector3f& p = cloud.positions[i];

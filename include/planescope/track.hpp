@@ -119,8 +119,8 @@ class MapTracker {
   /// Segments the map so far at once, as segment() does, and names its segments after the objects:
   /// patches do not end at the faces of tiles then, and nothing waits. Changes nothing; costs what
   /// segment() costs. \param pieces stand in place of what was given under their keys, because
-  /// update() leaves small changes out: with all pieces of a volume the map is exactly the volume's.
-  /// \throws Error as segment() and update() do.
+  /// update() leaves small changes out: with all pieces of a volume the map is exactly the
+  /// volume's. \throws Error as segment() and update() do.
   TrackResult finish(std::uint32_t frame, std::span<const SurfacePiece> pieces = {}) const;
 
   /// The map of the last segmentation, tile by tile, and the segmentation itself. Segments are

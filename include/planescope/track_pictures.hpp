@@ -33,10 +33,10 @@ void write_animation(const std::vector<std::string>& pngs, int milliseconds,
 /// What a plot shows of one frame.
 struct TrackPlotRow {
   std::uint32_t frame = 0;
-  double tracking = 0, fusion = 0;     ///< [ms]
-  double segments = 0, planes = 0;     ///< of the map so far
-  double kept = 1, steady_kept = 1;    ///< [1] share of places, and of those seen often, that kept
-                                       ///< their object at the last segmentation
+  double tracking = 0, fusion = 0;   ///< [ms]
+  double segments = 0, planes = 0;   ///< of the map so far
+  double kept = 1, steady_kept = 1;  ///< [1] share of places, and of those seen often, that kept
+                                     ///< their object at the last segmentation
 };
 
 /// Three charts over the frames: times, numbers of segments and planes, stability of labels.

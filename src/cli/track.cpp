@@ -188,19 +188,16 @@ void run(Arguments& a) {
   check_writable(a.folder);
   const Sequence sequence = a.depth.open(a.sequence, a.console);
   const TrackOptions options = track_options(a, sequence);
-  TrackRun run = a.resume.empty()
-                     ? TrackRun{TsdfVolume(a.depth.fusion), MapTracker(options), {}, 0}
-                     : read_snapshot(a.resume, sequence, options, a.depth.fusion);
+  TrackRun run = a.resume.empty() ? TrackRun{TsdfVolume(a.depth.fusion), MapTracker(options), {}, 0}
+                                  : read_snapshot(a.resume, sequence, options, a.depth.fusion);
   if (!a.resume.empty()) a.console.say("going on after " + std::to_string(run.done) + " frames");
   follow(a, sequence, TrackCamera(a.animate, drawing, sequence, options), run);
   const TrackResult result = finish(run, sequence);
   run.tables.close(result.step);
   RunInfo info;
   info.stages = result.scene.times;
-  info.threads =
-      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-  write(a, result, run, {a.sequence.filename().string(), sequence.hash()}, info,
-        since_start);
+  info.threads = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  write(a, result, run, {a.sequence.filename().string(), sequence.hash()}, info, since_start);
   report(a, sequence, run.tables, result);
 }
 

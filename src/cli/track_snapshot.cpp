@@ -21,9 +21,8 @@ constexpr const char* kName = "track";
 
 std::array<double, 9> camera_numbers(const DepthCamera& camera) {
   const PinholeCamera& lens = camera.lens;
-  return {double(lens.width), double(lens.height), lens.fx, lens.fy,
-          lens.cx,            lens.cy,             camera.depth_scale, camera.min_depth,
-          camera.max_depth};
+  return {double(lens.width), double(lens.height), lens.fx,         lens.fy, lens.cx, lens.cy,
+          camera.depth_scale, camera.min_depth,    camera.max_depth};
 }
 
 void put_pose(io::StateWriter& to, const Eigen::Isometry3d& pose) {
@@ -60,8 +59,9 @@ std::size_t check_sequence(io::StateReader& from, const Sequence& sequence,
   for (const double value : camera_numbers(sequence.camera())) {
     if (from.get<double>() == value) continue;
     throw Error(Error::Kind::Usage,
-                file + ": was made with another camera, depth scale or range of depths; give the "
-                       "same --intrinsics, --depth-scale, --min-depth and --max-depth");
+                file +
+                    ": was made with another camera, depth scale or range of depths; give the "
+                    "same --intrinsics, --depth-scale, --min-depth and --max-depth");
   }
   const std::size_t done = from.length(4 + 12 * sizeof(double));
   for (std::size_t i = 0; i < done; ++i) {
@@ -121,8 +121,8 @@ void write_snapshot(const TrackRun& run, const Sequence& sequence, const fs::pat
   run.tracker.write(stream);
   stream.close();
   if (!stream) {
-    throw Error(Error::Kind::Input, (folder / kSnapshotFile).string() +
-                                        ": cannot be written (is the disk full?)");
+    throw Error(Error::Kind::Input,
+                (folder / kSnapshotFile).string() + ": cannot be written (is the disk full?)");
   }
 }
 
@@ -145,8 +145,7 @@ TrackRun read_snapshot(const fs::path& folder, const Sequence& sequence,
   check_fusion(file, volume.options(), fusion);
   MapTracker tracker = MapTracker::read(stream, file);
   check_options(file, tracker.options(), options);
-  return {std::move(volume), std::move(tracker), std::move(tables), done,
-          std::move(pictures)};
+  return {std::move(volume), std::move(tracker), std::move(tables), done, std::move(pictures)};
 }
 
 }  // namespace planescope::cli

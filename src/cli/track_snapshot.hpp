@@ -31,7 +31,7 @@ struct TrackRun {
   TsdfVolume volume;
   MapTracker tracker;
   TrackTables tables;
-  std::size_t done = 0;               ///< frames of the sequence
+  std::size_t done = 0;                    ///< frames of the sequence
   std::vector<std::string> pictures = {};  ///< encoded, of the animation
 };
 

@@ -75,13 +75,14 @@ std::string TrackTables::summary() const {
   }
   const double count = std::max(1.0, static_cast<double>(steps_.size()));
   char text[320];
-  std::snprintf(text, sizeof text,
-                "tracking %.1f ms a frame (at most %.1f once half of the map is seen), the whole at "
-                "once %.1f, fusion %.1f a frame; %llu events; of the places %.2f %% keep their "
-                "object at a segmentation, %.2f %% of those seen often",
-                tracking / count, worst, whole_.milliseconds, fusion / count,
-                static_cast<unsigned long long>(event_count_), percent(kept_, carried_),
-                percent(steady_kept_, steady_));
+  std::snprintf(
+      text, sizeof text,
+      "tracking %.1f ms a frame (at most %.1f once half of the map is seen), the whole at "
+      "once %.1f, fusion %.1f a frame; %llu events; of the places %.2f %% keep their "
+      "object at a segmentation, %.2f %% of those seen often",
+      tracking / count, worst, whole_.milliseconds, fusion / count,
+      static_cast<unsigned long long>(event_count_), percent(kept_, carried_),
+      percent(steady_kept_, steady_));
   return text;
 }
 

@@ -65,7 +65,8 @@ StateReader::StateReader(std::istream& from, std::string file, std::string_view 
   size_ = static_cast<std::uint64_t>(end);
   std::array<char, 8> title{};
   bytes(title.data(), title.size());
-  if (title != padded(name)) fail("is no snapshot of planescope (expected `" + std::string(name) + "`)");
+  if (title != padded(name))
+    fail("is no snapshot of planescope (expected `" + std::string(name) + "`)");
   const auto found = get<std::uint32_t>();
   if (get<std::uint32_t>() != kByteOrder) fail("was written by a machine of another byte order");
   if (found != version) {

@@ -37,8 +37,8 @@ class StateHash {
 
 /// What can be written byte by byte.
 template <class T>
-concept Plain = std::is_arithmetic_v<T> || std::is_same_v<T, Eigen::Vector3f> ||
-                std::is_same_v<T, Rgb>;
+concept Plain =
+    std::is_arithmetic_v<T> || std::is_same_v<T, Eigen::Vector3f> || std::is_same_v<T, Rgb>;
 
 class StateWriter {
  public:

@@ -45,8 +45,8 @@ Hypotheses renew_hypotheses(const PatchIndex& index, const PlaneOptions& options
                             const std::vector<std::uint8_t>& fresh);
 
 /// Of several hypotheses with nearly the same plane (5 degrees) and inliers (80 % of the larger
-/// set) only the one with most inliers remains, held if one of them is. The result is sorted by support, descending; ties
-/// keep the given order.
+/// set) only the one with most inliers remains, held if one of them is. The result is sorted by
+/// support, descending; ties keep the given order.
 std::vector<Hypothesis> merge_duplicates(std::vector<Hypothesis> hypotheses);
 
 }  // namespace planescope

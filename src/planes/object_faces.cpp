@@ -80,9 +80,8 @@ PlaneSelection select_faces(const FreePatches& part, double lambda,
   const PlaneOptions small = face_options(options);
   const PatchIndex index(part.graph.patches);
   const Hypotheses found =
-      held == nullptr
-          ? propose_hypotheses(index, small, lambda)
-          : renew_hypotheses(index, small, lambda, held->faces, fresh_of(part, *held));
+      held == nullptr ? propose_hypotheses(index, small, lambda)
+                      : renew_hypotheses(index, small, lambda, held->faces, fresh_of(part, *held));
   SelectionEnergy energy =
       selection_energy(found.kept, pair_terms(found.kept, index, part.graph, small), lambda);
   for (std::size_t m = 0; m < energy.size(); ++m) {

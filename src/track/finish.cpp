@@ -108,11 +108,10 @@ TrackResult MapTracker::State::finish(std::uint32_t frame,
     own.pieces[piece.key] = &piece.points;
   }
   LatestMap whole = gather(latest, options, place_size());
-  const auto first = std::ranges::find_if(pieces, [](const SurfacePiece& piece) {
-    return !piece.points.positions.empty();
-  });
-  const Eigen::Vector3d nowhere = first == pieces.end() ? Eigen::Vector3d(0, 0, 0)
-                                                        : first->points.origin;
+  const auto first = std::ranges::find_if(
+      pieces, [](const SurfacePiece& piece) { return !piece.points.positions.empty(); });
+  const Eigen::Vector3d nowhere =
+      first == pieces.end() ? Eigen::Vector3d(0, 0, 0) : first->points.origin;
   whole.cloud.origin = origin.value_or(nowhere);
   TrackResult result;
   result.scene = segment(whole.cloud, options.engine);

@@ -25,9 +25,8 @@ class ObjectBook {
  public:
   /// Matches segments with the objects before, largest overlap first (ties to the lower segment,
   /// then object), each once; a match needs a fifth of the object's surviving points or of the
-  /// segment's. What is left over is new. Adds events, one for each overlap that changes its object,
-  /// and counts what was kept.
-  /// \returns per segment: its object.
+  /// segment's. What is left over is new. Adds events, one for each overlap that changes its
+  /// object, and counts what was kept. \returns per segment: its object.
   std::vector<std::uint32_t> match(const std::vector<Segment>& segments,
                                    const std::vector<Overlap>& overlaps, TrackStep& step);
 

@@ -52,8 +52,8 @@ std::vector<BlockKey> MapTracker::State::most_changed() const {
   }
   std::ranges::sort(order);
   const bool all = options.share >= 1;
-  const double most = std::max<double>(options.least_points,
-                                       options.share * static_cast<double>(point_count));
+  const double most =
+      std::max<double>(options.least_points, options.share * static_cast<double>(point_count));
   double spent = 0;
   std::vector<BlockKey> keys;
   for (const auto& [part, key] : order) {
@@ -90,8 +90,8 @@ void MapTracker::State::join(const std::vector<BlockKey>& keys) {
   const std::vector<std::pair<BlockKey, BlockKey>> pairs(wanted.begin(), wanted.end());
   std::vector<std::vector<Adjacency>> found(pairs.size());
   tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t i) {
-    found[i] = track::join_tiles(*tiles.at(pairs[i].first).patched,
-                                 *tiles.at(pairs[i].second).patched);
+    found[i] =
+        track::join_tiles(*tiles.at(pairs[i].first).patched, *tiles.at(pairs[i].second).patched);
   });
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (found[i].empty()) {

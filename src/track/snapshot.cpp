@@ -12,10 +12,10 @@
 /// \file A tracker as bytes: one section `tracker` (io/state_stream.hpp) of
 ///   options: text `name=value` lines of the engine, then tile_size, change, share (f64), interval,
 ///     least_points, steady_after (u32)
-///   updates, patches, planes and segments of the last segmentation (u64); origin: u8 whether known, 3 f64
-///   objects: last number u32; lists of u32: alive, those that had a plane
-///   planes held: two lists (u64 length) of planes, 4 f32 and u8 whether selected
-///   tiles: u64 count, each: key 3 i32; pieces: u64 count, each: key 3 i32, times u8, cloud
+///   updates, patches, planes and segments of the last segmentation (u64); origin: u8 whether
+///   known, 3 f64 objects: last number u32; lists of u32: alive, those that had a plane planes
+///   held: two lists (u64 length) of planes, 4 f32 and u8 whether selected tiles: u64 count, each:
+///   key 3 i32; pieces: u64 count, each: key 3 i32, times u8, cloud
 ///     changed u64; flags u8: 1 dirty, 2 patched, 4 fresh
 ///     patched and dirty: the cloud that was patched, u64 count of its pieces, each: key 3 i32, u32
 ///     patched, not fresh: list of u32, the object of each patch
@@ -328,9 +328,8 @@ MapTracker MapTracker::read(std::istream& stream, const std::string& name) try {
     tiles.push_back(get_tile(from, origin, state.book.last()));
   }
   from.finish();
-  tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t i) {
-    patch_again(tiles[i], state.options);
-  });
+  tbb::parallel_for(std::size_t{0}, tiles.size(),
+                    [&](std::size_t i) { patch_again(tiles[i], state.options); });
   std::vector<BlockKey> keys;
   for (Stored& stored : tiles) {
     const Tile& tile = stored.tile;

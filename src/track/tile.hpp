@@ -78,9 +78,9 @@ struct Tile {
   bool dirty = false;       ///< pieces changed since it was patched
 
   std::shared_ptr<const PatchedTile> patched;  ///< null: never
-  bool fresh = false;                   ///< patched since the last segmentation
-  std::vector<std::uint32_t> objects;   ///< per patch, of the last segmentation; unless fresh
-  PlaceMemory memory;                   ///< objects before it was patched; only if fresh
+  bool fresh = false;                          ///< patched since the last segmentation
+  std::vector<std::uint32_t> objects;    ///< per patch, of the last segmentation; unless fresh
+  PlaceMemory memory;                    ///< objects before it was patched; only if fresh
   std::vector<std::vector<Vote>> votes;  ///< per patch, ascending by object; if fresh
   std::vector<std::uint32_t> steady;     ///< steady_points(), unless they have to be counted anew
 

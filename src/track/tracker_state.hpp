@@ -37,7 +37,7 @@ struct MapTracker::State {
   std::map<std::pair<BlockKey, BlockKey>, std::vector<Adjacency>> joints;
   track::ObjectBook book;
   HeldPlanes held;
-  std::uint64_t updates = 0;  ///< so far
+  std::uint64_t updates = 0;                                          ///< so far
   std::uint64_t patch_count = 0, plane_count = 0, segment_count = 0;  ///< of the last segmentation
   std::optional<Eigen::Vector3d> origin;
   std::size_t point_count = 0;  ///< of all pieces
@@ -73,7 +73,8 @@ struct MapTracker::State {
   void complete();
   std::vector<track::Overlap> overlaps();
 
-  TrackResult finish(std::uint32_t frame, std::span<const SurfacePiece> pieces) const;  // finish.cpp
+  TrackResult finish(std::uint32_t frame,
+                     std::span<const SurfacePiece> pieces) const;  // finish.cpp
 };
 
 }  // namespace planescope
