@@ -33,7 +33,7 @@ std::vector<SurfacePiece> cells_of(const PointCloud& surfels, float from, float 
 
 int main() {
   try {
-    const PointCloud room = synthesize({.points = 150'000, .normals = true}).cloud;
+    const PointCloud room = synthesize({.points = 600'000, .normals = true}).cloud;
     TrackOptions options;
     options.interval = 5;  // segmented every fifth frame,
     options.share = 0.1;   // and a tenth of the map patched in each of the others
