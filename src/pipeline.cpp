@@ -12,6 +12,7 @@
 #include "border_points.hpp"
 #include "patches/smoothing.hpp"
 #include "planes/object_faces.hpp"
+#include "planes/renew_planes.hpp"
 #include "planes/shared_directions.hpp"
 #include "planes/support.hpp"
 #include "planescope/error.hpp"
@@ -57,8 +58,10 @@ std::vector<Plane> selected_planes(const PlaneSelection& selection) {
 }
 
 // Faces follow the supporting planes, which alone cut (eq. (1)).
-void add_faces(Segmentation& scene, const PlaneOptions& options) {
-  ObjectFaces faces = find_object_faces(scene.graph, scene.planes, scene.patch_plane, options);
+void add_faces(Segmentation& scene, const PlaneOptions& options, HeldPlanes* held) {
+  ObjectFaces faces =
+      find_object_faces(scene.graph, scene.planes, scene.patch_plane, options, held);
+  if (held != nullptr) held->faces = std::move(faces.hypotheses);
   const auto first = static_cast<std::int32_t>(scene.planes.size());
   scene.planes.insert(scene.planes.end(), faces.planes.begin(), faces.planes.end());
   scene.patch_face = std::move(faces.patch_face);
@@ -105,22 +108,29 @@ std::size_t count_planes(const std::vector<SupportingPlane>& planes, PlaneRole r
   return static_cast<std::size_t>(std::ranges::count(planes, role, &SupportingPlane::role));
 }
 
-void segment_graph(Segmentation& scene, const Options& options, const Progress& progress) {
+void segment_graph(Segmentation& scene, const Options& options, const Progress& progress,
+                   HeldPlanes* held) {
   StageTimes& times = scene.times;
   StageClock clock;
   clock.start(times.hypotheses);
-  scene.selection = select_planes(  // IV-A, IV-B
-      scene.graph, options.planes, [&](std::string_view stage, double fraction) {
+  scene.selection = renew_planes(  // IV-A, IV-B
+      scene.graph, options.planes, held, [&](std::string_view stage, double fraction) {
         if (stage == "selection" && fraction == 0) clock.start(times.selection);
         if (progress) progress(stage, fraction);
       });
+  if (held != nullptr) {
+    held->supporting.clear();
+    for (const PlaneHypothesis& h : scene.selection.hypotheses) {
+      held->supporting.push_back({h.plane, h.selected});
+    }
+  }
   clock.start(times.assignment);
   const std::vector<std::int32_t> assignment = assign_planes(
       scene.graph, selected_planes(scene.selection), options.planes, progress);  // IV-C
   Support support = refit_planes(scene.graph, scene.selection, assignment, options.planes);
   scene.planes = std::move(support.planes);
   scene.patch_plane = std::move(support.patch_plane);
-  add_faces(scene, options.planes);
+  add_faces(scene, options.planes, held);
   settle_directions(scene, options);
   clock.start(times.edges);
   scene.edges = classify_edges(scene.graph, scene.patch_plane, options.edges);  // III-B, eq. (1)

@@ -6,60 +6,16 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
-#include <map>
 #include <set>
 
 #include "planescope/error.hpp"
 #include "planescope/evaluate.hpp"
-#include "planescope/synthesize.hpp"
-#include "synthesis_fixtures.hpp"
+#include "track_fixtures.hpp"
 
 namespace planescope {
 namespace {
 
-constexpr double kPiece = 0.16;  // [m]
-
-using Pieces = std::vector<SurfacePiece>;
-
-/// The cloud's points by cells of a grid, those that `take` takes.
-Pieces cut(const PointCloud& cloud, const std::function<bool(const Eigen::Vector3f&)>& take) {
-  std::map<BlockKey, PointCloud> cells;
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const Eigen::Vector3f& p = cloud.positions[i];
-    const auto part = [](float v) { return static_cast<std::int32_t>(std::floor(v / kPiece)); };
-    if (!take(p)) continue;
-    PointCloud& cell = cells[{part(p.x()), part(p.y()), part(p.z())}];
-    cell.positions.push_back(p);
-    cell.normals.push_back(cloud.normals[i]);
-  }
-  Pieces pieces;
-  for (auto& [key, points] : cells) pieces.push_back({key, std::move(points)});
-  return pieces;
-}
-
-Pieces all(const PointCloud& cloud) {
-  return cut(cloud, [](const Eigen::Vector3f&) { return true; });
-}
-
-/// The same places, empty.
-Pieces emptied(Pieces pieces) {
-  for (SurfacePiece& piece : pieces) piece.points = {};
-  return pieces;
-}
-
-/// A rectangle at height z, facing up, a point a square centimetre.
-PointCloud level(double x0, double x1, double y0, double y1, double z) {
-  PointCloud cloud;
-  for (double x = x0 + 0.005; x < x1; x += 0.01) {
-    for (double y = y0 + 0.005; y < y1; y += 0.01) {
-      cloud.positions.push_back(Eigen::Vector3d(x, y, z).cast<float>());
-      cloud.normals.push_back(Eigen::Vector3f::UnitZ());
-    }
-  }
-  return cloud;
-}
+using namespace planescope::testing;  // NOLINT(google-build-using-namespace)
 
 std::vector<TrackEvent> of_kind(const TrackStep& step, TrackEventKind kind) {
   std::vector<TrackEvent> events;
@@ -155,23 +111,6 @@ TEST(Track, EverythingGoes) {
   EXPECT_EQ(tracker.objects(), std::vector<std::uint32_t>{2});
 }
 
-PointCloud make_room(std::uint64_t seed) {
-  SynthesisOptions options = testing::evenly(seed, 300'000);
-  options.normals = true;
-  return synthesize(options).cloud;
-}
-
-/// A room that is seen in five slabs, one after the other.
-void scan(MapTracker& tracker, const PointCloud& room) {
-  for (std::uint32_t k = 0; k < 5; ++k) {
-    const double from = -5 + 2.0 * k, to = from + 2;
-    tracker.update(k, cut(room, [&](const Eigen::Vector3f& p) {
-                     const double x = std::floor(double(p.x()) / kPiece) * kPiece;
-                     return x >= from && x < to;
-                   }));
-  }
-}
-
 TEST(Track, TheEndIsTheWholeAtOnce) {
   MapTracker tracker;
   scan(tracker, make_room(4));
@@ -229,6 +168,110 @@ TEST(Track, ObjectsAreDistinct) {
   const auto& objects = tracker.objects();
   EXPECT_EQ(objects.size(), tracker.scene().segments.segments.size());
   EXPECT_EQ(std::set(objects.begin(), objects.end()).size(), objects.size());
+}
+
+// Each point that changed its object is in one event.
+TEST(Track, EventsAccountForAllThatChanged) {
+  MapTracker tracker;
+  const PointCloud room = make_room(4, 150'000);
+  std::size_t changed = 0;
+  const auto check = [&](const TrackStep& step) {
+    std::size_t in_events = 0;
+    for (const TrackEvent& e : step.events) {
+      const bool moves = e.kind == TrackEventKind::Split || e.kind == TrackEventKind::Merge ||
+                         e.kind == TrackEventKind::Moved;
+      if (moves) in_events += e.points;
+    }
+    EXPECT_EQ(in_events, step.carried - step.kept);
+    changed += in_events;
+  };
+  for (std::uint32_t k = 0; k < 5; ++k) check(tracker.update(k, slab(room, k)));
+  check(tracker.finish(5).step);
+  EXPECT_GT(changed, 0u);
+}
+
+// Steady are the points of pieces that were given ten times.
+TEST(Track, PointsSeenOftenAreCounted) {
+  MapTracker tracker;
+  const Pieces pieces = all(level(-1, 1, -1, 1, 0.3));
+  for (std::uint32_t k = 0; k < 10; ++k) tracker.update(k, pieces);
+  const Pieces more = all(level(-1, 1, 1.12, 1.92, 0.3));  // 8,000 points, in pieces of their own
+  const TrackStep step = tracker.update(10, more);
+  EXPECT_EQ(step.carried, 40'000u);
+  EXPECT_EQ(step.steady, 40'000u);
+  EXPECT_EQ(step.steady_kept, 40'000u);
+  const TrackStep next = tracker.update_exactly(11, all(level(-1, 1, 1.12, 1.92, 0.301)));
+  EXPECT_EQ(next.steady, 40'000u);
+  EXPECT_EQ(next.carried, 56'000u);
+}
+
+// A share of a twentieth: about as many points are patched in each update, and all in the end.
+TEST(Track, WorkIsSpreadOverUpdates) {
+  TrackOptions options;
+  options.interval = 4;
+  options.share = 0.05;
+  options.least_points = 1000;
+  MapTracker tracker(options);
+  const PointCloud room = make_room(4, 150'000);
+  const Pieces pieces = all(room);
+  std::size_t waiting = 1, tiles = 0, segmentations = 0;
+  for (std::uint32_t k = 0; k < 60 && (k == 0 || waiting > 0 || k % 4 != 0); ++k) {
+    const TrackStep step = tracker.update(k, k == 0 ? pieces : Pieces{});
+    EXPECT_EQ(step.tiles > 0, k % 4 != 3 && (k == 0 || waiting > 0));
+    EXPECT_EQ(step.segmented && step.tiles > 0, false);
+    waiting = step.waiting;
+    tiles = std::max(tiles, step.tiles);
+    segmentations += step.segmented ? 1 : 0;
+  }
+  EXPECT_EQ(waiting, 0u);
+  EXPECT_GT(segmentations, 3u);
+  EXPECT_EQ(tracker.map().size(), room.size());
+  MapTracker at_once;
+  at_once.update(0, pieces);
+  EXPECT_LT(tiles, at_once.update_exactly(1, emptied(pieces)).tiles / 4);
+}
+
+// A loop closure: all pieces are given anew, elsewhere. Nothing of the map stays behind.
+TEST(Track, AMapThatMovesMovesWhole) {
+  MapTracker tracker;
+  const PointCloud before = level(-1, 1, -1, 1, 0.3);
+  tracker.update(0, all(before));
+  Pieces moved = all(before);
+  for (SurfacePiece& piece : moved) {
+    for (Eigen::Vector3f& p : piece.points.positions) p += Eigen::Vector3f(0.5f, 0, 0.2f);
+  }
+  const TrackStep step = tracker.update(1, moved);
+  EXPECT_EQ(step.points, 40'000u);
+  EXPECT_EQ(step.segments, 1u);
+  ASSERT_EQ(tracker.map().size(), 40'000u);
+  for (const Eigen::Vector3f& p : tracker.map().positions) {
+    EXPECT_GT(p.x(), -0.51f);
+    EXPECT_NEAR(p.z(), 0.5f, 1e-5f);
+  }
+}
+
+// What is left out as too little while it grows is there at the end.
+TEST(Track, TheEndTakesThePiecesAsTheyAre) {
+  MapTracker tracker;
+  tracker.update(0, all(level(-1, 1, -1, 1, 0.300)));
+  const Pieces now = all(level(-1, 1, -1, 1, 0.302));
+  EXPECT_EQ(tracker.update(1, now).changed, 0u);
+  EXPECT_NEAR(tracker.finish(1).scene.planes.at(0).plane.distance, 0.300, 1e-4);
+  const TrackResult end = tracker.finish(1, now);
+  EXPECT_NEAR(end.scene.planes.at(0).plane.distance, 0.302, 1e-4);
+  EXPECT_EQ(end.map.size(), 40'000u);
+  EXPECT_EQ(end.step.kept, 40'000u);
+  EXPECT_EQ(end.objects, std::vector<std::uint32_t>{1});
+  EXPECT_EQ(tracker.finish(1, emptied(all(level(-1, 0, -1, 1, 0.3)))).map.size(), 20'000u);
+}
+
+TEST(Track, ColoursMayComeLater) {
+  MapTracker tracker;
+  tracker.update(0, all(level(-0.6, 0, -0.6, 0.6, 0.3)));
+  Pieces colored = all(level(0, 0.6, -0.6, 0.6, 0.3));
+  for (SurfacePiece& piece : colored) piece.points.colors.assign(piece.points.size(), {9, 8, 7});
+  tracker.update(1, colored);
+  EXPECT_EQ(tracker.map().colors.size(), tracker.map().size());
 }
 
 TEST(Track, WhatCannotBe) {

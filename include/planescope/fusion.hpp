@@ -6,7 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <iosfwd>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -82,6 +84,15 @@ class TsdfVolume {
   /// The points() that one block holds; empty where there is no such block or no surface in it.
   /// They depend on this block and its 7 neighbours towards +x, +y, +z.
   PointCloud block_points(const BlockKey& block) const;
+
+  /// Writes the field as bytes (src/fusion/volume_file.cpp has the layout), about 6 kB a block
+  /// without colours and 11 with: a volume that was read back goes on to the same bits. Check the
+  /// stream afterwards.
+  void write(std::ostream& to) const;
+  /// Reads what write() wrote; untrusted. \param from can be sought in. \param name of the stream,
+  /// for messages. \throws Error{Kind::Input} it is cut short, damaged, of another version or byte
+  /// order.
+  static TsdfVolume read(std::istream& from, const std::string& name);
 
  private:
   struct Field;

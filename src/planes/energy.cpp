@@ -10,6 +10,8 @@
 #include <tbb/parallel_for.h>
 #include <Eigen/Geometry>
 
+#include "planes/held_planes.hpp"
+
 namespace planescope {
 namespace {
 
@@ -93,7 +95,9 @@ PairTerms pair_terms(const std::vector<Hypothesis>& hypotheses, const PatchIndex
 SelectionEnergy selection_energy(const std::vector<Hypothesis>& hypotheses, const PairTerms& pairs,
                                  double lambda) {
   SelectionEnergy energy;
-  for (const Hypothesis& h : hypotheses) energy.unary.push_back(data_cost(h.support, lambda));
+  for (const Hypothesis& h : hypotheses) {
+    energy.unary.push_back(data_cost(h.support, lambda) - (h.held ? kHoldBonus : 0));
+  }
   energy.pairwise.resize(pairs.angle.size());
   std::transform(pairs.angle.begin(), pairs.angle.end(), pairs.overlap.begin(),
                  energy.pairwise.begin(), std::plus<>());

@@ -54,6 +54,20 @@ std::vector<Hypothesis> search_sample(const PatchIndex& sample, const PlaneOptio
   return merge_duplicates(std::move(found));
 }
 
+/// Refits all to all patches; what D refuses and what is there twice is left out.
+std::vector<Hypothesis> settle(const PatchIndex& index, const PlaneOptions& options, double lambda,
+                               std::vector<Hypothesis> found) {
+  constexpr int kSteps = 8;  // most settle earlier
+  const PlaneSearch search(index, options);
+  tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
+    const bool held = found[i].held;
+    found[i] = search.refit(found[i].plane, kSteps);
+    found[i].held = held;
+  });
+  std::erase_if(found, [&](const Hypothesis& h) { return h.support <= lambda; });
+  return merge_duplicates(std::move(found));
+}
+
 }  // namespace
 
 double support_threshold(const std::vector<Patch>& patches, double min_area) {
@@ -80,7 +94,12 @@ std::vector<Hypothesis> merge_duplicates(std::vector<Hypothesis> hypotheses) {
   std::vector<Hypothesis> kept;
   for (Hypothesis& h : hypotheses) {
     const auto same = [&](const Hypothesis& k) { return near_duplicate(k, h); };
-    if (std::none_of(kept.begin(), kept.end(), same)) kept.push_back(std::move(h));
+    const auto found = std::find_if(kept.begin(), kept.end(), same);
+    if (found == kept.end()) {
+      kept.push_back(std::move(h));
+    } else {
+      found->held = found->held || h.held;
+    }
   }
   return kept;
 }
@@ -93,13 +112,35 @@ Hypotheses propose_hypotheses(const PatchIndex& index, const PlaneOptions& optio
   std::vector<Hypothesis> found =
       search_sample(sample, options, least_support(lambda * rate), result.proposed);
   if (found.size() > options.max_hypotheses) found.resize(options.max_hypotheses);
+  result.kept = settle(index, options, lambda, std::move(found));
+  return result;
+}
 
-  constexpr int kSteps = 8;  // most settle earlier
+Hypotheses renew_hypotheses(const PatchIndex& index, const PlaneOptions& options, double lambda,
+                            const std::vector<HeldPlane>& held,
+                            const std::vector<std::uint8_t>& fresh) {
+  Hypotheses result;
+  if (index.size() == 0) return result;
+  std::vector<Hypothesis> found;
+  for (const HeldPlane& h : held) {
+    found.push_back({.plane = h.plane, .support = 0, .inliers = {}, .held = h.selected});
+  }
+  found = settle(index, options, lambda, std::move(found));
+  std::vector<Seed> seeds = patch_seeds(index, options.max_curvature);
+  std::erase_if(seeds, [&](const Seed& s) { return fresh[index.patch(s.position)] == 0; });
   const PlaneSearch search(index, options);
-  tbb::parallel_for(std::size_t{0}, found.size(),
-                    [&](std::size_t i) { found[i] = search.refit(found[i].plane, kSteps); });
-  std::erase_if(found, [&](const Hypothesis& h) { return h.support <= lambda; });
-  result.kept = merge_duplicates(std::move(found));
+  search.drop_covered(seeds, found);
+  result.proposed = static_cast<std::uint32_t>(seeds.size());
+  const double most = std::max(kFewestFits, kPatchTests / static_cast<double>(index.size() + 1));
+  std::vector<Hypothesis> more =
+      search.fit_uncovered(std::move(seeds), static_cast<std::size_t>(most), lambda);
+  if (!more.empty()) {
+    more = settle(index, options, lambda, std::move(more));
+    std::move(more.begin(), more.end(), std::back_inserter(found));
+    found = merge_duplicates(std::move(found));
+  }
+  if (found.size() > options.max_hypotheses) found.resize(options.max_hypotheses);
+  result.kept = std::move(found);
   return result;
 }
 

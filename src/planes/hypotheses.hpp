@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "planes/held_planes.hpp"
 #include "planes/patch_index.hpp"
 #include "planes/plane_search.hpp"
 #include "planescope/options.hpp"
@@ -36,9 +37,16 @@ double support_threshold(const std::vector<Patch>& patches, double min_area);
 ///   no optimum needs it.
 Hypotheses propose_hypotheses(const PatchIndex& index, const PlaneOptions& options, double lambda);
 
+/// The same where planes are known already: these are refitted to the patches as they are now, and
+/// only fresh patches that lie close to none of them propose others. \param held planes known.
+/// \param fresh per patch of the index: 1 if it may propose.
+Hypotheses renew_hypotheses(const PatchIndex& index, const PlaneOptions& options, double lambda,
+                            const std::vector<HeldPlane>& held,
+                            const std::vector<std::uint8_t>& fresh);
+
 /// Of several hypotheses with nearly the same plane (5 degrees) and inliers (80 % of the larger
-/// set) only the one with most inliers remains. The result is sorted by support, descending; ties
-/// keep the given order.
+/// set) only the one with most inliers remains, held if one of them is. The result is sorted by
+/// support, descending; ties keep the given order.
 std::vector<Hypothesis> merge_duplicates(std::vector<Hypothesis> hypotheses);
 
 }  // namespace planescope

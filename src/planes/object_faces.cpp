@@ -65,12 +65,20 @@ double face_lambda(const std::vector<Patch>& patches, const PlaneOptions& option
   return std::max(kFewestPatches, support_threshold(patches, options.face_area));
 }
 
-std::vector<Plane> select_faces(const FreePatches& part, double lambda,
-                                const std::vector<SupportingPlane>& standing,
-                                const PlaneOptions& options) {
+std::vector<std::uint8_t> fresh_of(const FreePatches& part, const HeldPlanes& held) {
+  std::vector<std::uint8_t> fresh;
+  for (const std::uint32_t id : part.ids) fresh.push_back(held.fresh[id]);
+  return fresh;
+}
+
+std::vector<HeldPlane> select_faces(const FreePatches& part, double lambda,
+                                    const std::vector<SupportingPlane>& standing,
+                                    const PlaneOptions& options, const HeldPlanes* held) {
   const PlaneOptions small = face_options(options);
   const PatchIndex index(part.graph.patches);
-  const Hypotheses found = propose_hypotheses(index, small, lambda);
+  const Hypotheses found =
+      held == nullptr ? propose_hypotheses(index, small, lambda)
+                      : renew_hypotheses(index, small, lambda, held->faces, fresh_of(part, *held));
   SelectionEnergy energy =
       selection_energy(found.kept, pair_terms(found.kept, index, part.graph, small), lambda);
   for (std::size_t m = 0; m < energy.size(); ++m) {
@@ -79,11 +87,9 @@ std::vector<Plane> select_faces(const FreePatches& part, double lambda,
     }
   }
   const std::vector<bool> x = minimise_selection(energy, small.solver, small.tabu_steps);
-  std::vector<Plane> selected;
-  for (std::size_t m = 0; m < x.size(); ++m) {
-    if (x[m]) selected.push_back(found.kept[m].plane);
-  }
-  return selected;
+  std::vector<HeldPlane> faces;
+  for (std::size_t m = 0; m < x.size(); ++m) faces.push_back({found.kept[m].plane, x[m]});
+  return faces;
 }
 
 }  // namespace
@@ -94,14 +100,18 @@ double face_sigma(double sigma) { return 0.42 * sigma; }
 ObjectFaces find_object_faces(const PatchGraph& graph,
                               const std::vector<SupportingPlane>& supporting,
                               const std::vector<PatchPlane>& patch_plane,
-                              const PlaneOptions& options) {
+                              const PlaneOptions& options, const HeldPlanes* held) {
   ObjectFaces result;
   result.patch_face.assign(graph.patches.size(), kNone);
   if (options.face_area <= 0) return result;
   const FreePatches part = find_free_patches(graph, patch_plane);
   if (part.ids.empty()) return result;
   const double lambda = face_lambda(graph.patches, options);
-  const std::vector<Plane> planes = select_faces(part, lambda, supporting, options);
+  result.hypotheses = select_faces(part, lambda, supporting, options, held);
+  std::vector<Plane> planes;
+  for (const HeldPlane& h : result.hypotheses) {
+    if (h.selected) planes.push_back(h.plane);
+  }
   const PlaneOptions small = face_options(options);
   Support faces =
       refit_pieces(part.graph, planes, assign_planes(part.graph, planes, small), small, lambda);

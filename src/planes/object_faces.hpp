@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "planes/held_planes.hpp"
 #include "planescope/pipeline.hpp"
 
 namespace planescope {
@@ -14,6 +15,7 @@ namespace planescope {
 struct ObjectFaces {
   std::vector<SupportingPlane> planes;   ///< by area, descending
   std::vector<std::int32_t> patch_face;  ///< per patch: index into `planes`, or kNone
+  std::vector<HeldPlane> hypotheses;     ///< that entered their selection
 };
 
 /// Inlier distance of faces [m], from that of supporting planes.
@@ -24,10 +26,11 @@ double face_sigma(double sigma);
 /// paper's selection: the supporting planes stand, and a face pays four times the mean of eq. (6)'s
 /// angle term over them; among one another faces pay for overlap alone, because the sum over dozens
 /// of small faces, each a little noisy, would refuse them all.
+/// \param held what an earlier run found, or null.
 ObjectFaces find_object_faces(const PatchGraph& graph,
                               const std::vector<SupportingPlane>& supporting,
                               const std::vector<PatchPlane>& patch_plane,
-                              const PlaneOptions& options);
+                              const PlaneOptions& options, const HeldPlanes* held = nullptr);
 
 /// What a plane has to say for itself as a face: the terms of the selection above but for overlap.
 struct FaceTerms {

@@ -34,7 +34,7 @@ Hypothesis PlaneSearch::refit(const Plane& plane, int steps) const {
   const auto members_of = [&](const Plane& p) {
     return index_.inliers({.plane = p, .half_width = sigma_, .gate = fit_gate_});
   };
-  Hypothesis result{.plane = plane, .support = 0, .inliers = {}};
+  Hypothesis result{.plane = plane, .support = 0, .inliers = {}, .held = false};
   Bits members = members_of(plane);
   for (int step = 0; step < steps; ++step) {
     result.plane = fit_plane(index_, members, result.plane, sigma_);
@@ -102,6 +102,16 @@ std::vector<Hypothesis> PlaneSearch::fit_uncovered(std::vector<Seed> seeds, std:
     done += batch.size();
   }
   return kept;
+}
+
+void PlaneSearch::drop_covered(std::vector<Seed>& seeds,
+                               const std::vector<Hypothesis>& known) const {
+  Bits covered(index_.words(), 0);
+  for (const Hypothesis& h : known) {
+    const Bits near = index_.inliers({h.plane, sigma_ / 2, kCloseCosine});
+    for (std::size_t w = 0; w < covered.size(); ++w) covered[w] |= near[w];
+  }
+  std::erase_if(seeds, [&](const Seed& seed) { return contains(covered, seed.position); });
 }
 
 std::vector<Hypothesis> PlaneSearch::fit_each(const std::vector<Seed>& seeds,

@@ -17,6 +17,7 @@ struct Hypothesis {
   Plane plane;
   std::uint32_t support = 0;  ///< |I|, the size of `inliers`
   Bits inliers;               ///< positions in the index that it was fitted on
+  bool held = false;          ///< it, or a near-duplicate, was selected in an earlier run
 };
 
 /// Fits planes to the inliers among the patches of one index; the index must outlive it.
@@ -37,6 +38,9 @@ class PlaneSearch {
   /// returns those with at least `least_support` inliers. Equal at any number of threads.
   std::vector<Hypothesis> fit_uncovered(std::vector<Seed> seeds, std::size_t most,
                                         double least_support) const;
+
+  /// Leaves out the seeds that are close inliers of one of `known`.
+  void drop_covered(std::vector<Seed>& seeds, const std::vector<Hypothesis>& known) const;
 
   /// Fits all seeds but those whose plane is close (sigma / 2 at the seed's centre and 10 degrees)
   /// to one of `known`; returns those with at least `least_support` inliers.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planes/energy.hpp"
 #include "planes/hypotheses.hpp"
+#include "planes/renew_planes.hpp"
 #include "planescope/planes.hpp"
 
 namespace planescope {
@@ -53,6 +54,11 @@ void select(PlaneSelection& selection, const SelectionEnergy& energy, const Pair
 
 PlaneSelection select_planes(const PatchGraph& graph, const PlaneOptions& options,
                              const Progress& progress) {
+  return renew_planes(graph, options, nullptr, progress);
+}
+
+PlaneSelection renew_planes(const PatchGraph& graph, const PlaneOptions& options,
+                            const HeldPlanes* held, const Progress& progress) {
   const auto report = [&](std::string_view stage, double fraction) {
     if (progress) progress(stage, fraction);
   };
@@ -60,7 +66,10 @@ PlaneSelection select_planes(const PatchGraph& graph, const PlaneOptions& option
   PlaneSelection selection;
   selection.lambda = support_threshold(graph.patches, options.min_area);
   const PatchIndex index(graph.patches);
-  const Hypotheses found = propose_hypotheses(index, options, selection.lambda);
+  const Hypotheses found =
+      held == nullptr || held->supporting.empty()
+          ? propose_hypotheses(index, options, selection.lambda)
+          : renew_hypotheses(index, options, selection.lambda, held->supporting, held->fresh);
   selection.proposed = found.proposed;
   report("hypotheses", 1);
 

@@ -7,25 +7,28 @@
 
 namespace planescope {
 
+using track::Tile;
+
 /// One graph of all tiles, without the points: they are many, and wait for complete().
 void MapTracker::State::assemble() {
   completed = false;
-  point_count = 0;
+  shown.clear();
+  held.fresh.clear();
   PatchGraph graph;
   graph.voxel_size = static_cast<float>(options.engine.patches.voxel_size);
   graph.patch_size = static_cast<float>(options.engine.patches.patch_size);
   std::map<BlockKey, std::uint32_t> first;
   for (const auto& [key, tile] : tiles) {
+    if (!tile.patched) continue;
     const auto base = static_cast<std::uint32_t>(graph.patches.size());
     first[key] = base;
-    const auto add = [](auto& to, const auto& from) {
-      to.insert(to.end(), from.begin(), from.end());
-    };
-    add(graph.patches, tile.graph.patches);
-    for (const Adjacency& a : tile.graph.adjacency) {
+    const std::vector<Patch>& patches = tile.patched->graph.patches;
+    graph.patches.insert(graph.patches.end(), patches.begin(), patches.end());
+    for (const Adjacency& a : tile.patched->graph.adjacency) {
       graph.adjacency.push_back({a.first + base, a.second + base, a.border});
     }
-    point_count += tile.cloud.size();
+    held.fresh.resize(graph.patches.size(), tile.fresh ? 1 : 0);
+    shown.push_back(tile.patched);
   }
   for (const auto& [pair, borders] : joints) {
     for (const Adjacency& a : borders) {
@@ -36,16 +39,42 @@ void MapTracker::State::assemble() {
   std::ranges::sort(graph.adjacency, [](const Adjacency& a, const Adjacency& b) {
     return std::pair(a.first, a.second) < std::pair(b.first, b.second);
   });
-  scene.graph = std::move(graph);
-}
-
-void MapTracker::State::segment_map() {
-  PatchGraph graph = std::move(scene.graph);
   scene = {};
   scene.options = options.engine;
   scene.graph = std::move(graph);
+}
+
+/// Planes, edges and segments of all patches, and the objects that they are; nothing where no tile
+/// was patched since the last time.
+void MapTracker::State::segment_map(TrackStep& step) {
+  const auto is_fresh = [](const auto& entry) { return entry.second.fresh; };
+  if (std::ranges::none_of(tiles, is_fresh)) return;
+  step.segmented = true;
+  assemble();
   // Else nothing is there yet, or everything is gone.
-  if (!scene.graph.patches.empty()) segment_graph(scene, options.engine);
+  if (!scene.graph.patches.empty()) segment_graph(scene, options.engine, {}, &held);
+  patch_count = scene.graph.patches.size();
+  plane_count = scene.planes.size();
+  segment_count = scene.segments.segments.size();
+  objects = book.match(scene.segments.segments, overlaps(), step);
+  book_objects();
+}
+
+/// Tells every tile which objects its patches are; tiles without surface go.
+void MapTracker::State::book_objects() {
+  std::size_t patch = 0;
+  for (auto entry = tiles.begin(); entry != tiles.end();) {
+    Tile& tile = entry->second;
+    tile.objects.clear();
+    for (std::size_t p = 0; p < tile.patch_count(); ++p) {
+      tile.objects.push_back(objects[scene.segments.patch_label[patch++] - 1]);
+    }
+    tile.fresh = false;
+    tile.votes.clear();
+    tile.memory.clear();
+    const bool gone = tile.pieces.empty() && !tile.dirty && tile.patch_count() == 0;
+    entry = gone ? tiles.erase(entry) : std::next(entry);
+  }
 }
 
 /// Puts the tiles' points together, and labels them.
@@ -54,17 +83,12 @@ void MapTracker::State::complete() {
   map = {};
   map.origin = origin.value_or(Eigen::Vector3d::Zero());
   std::int32_t base = 0;
-  for (const auto& [key, tile] : tiles) {
-    const auto add = [](auto& to, const auto& from) {
-      to.insert(to.end(), from.begin(), from.end());
-    };
-    add(map.positions, tile.cloud.positions);
-    add(map.normals, tile.cloud.normals);
-    add(map.colors, tile.cloud.colors);
-    for (const std::int32_t p : tile.graph.point_patch) {
+  for (const auto& tile : shown) {
+    track::append(tile->cloud, map);
+    for (const std::int32_t p : tile->graph.point_patch) {
       scene.graph.point_patch.push_back(p == kNone ? kNone : p + base);
     }
-    base += static_cast<std::int32_t>(tile.graph.patches.size());
+    base += static_cast<std::int32_t>(tile->graph.patches.size());
   }
   map.width = static_cast<std::uint32_t>(map.size());
   label_points(scene, scene.graph.point_patch);
@@ -72,17 +96,28 @@ void MapTracker::State::complete() {
 }
 
 /// How many points of each segment were of which object.
-std::vector<track::Overlap> MapTracker::State::overlaps() const {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> sums;
+std::vector<track::Overlap> MapTracker::State::overlaps() {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, track::Overlap> sums;
   std::size_t patch = 0;
-  for (const auto& [key, tile] : tiles) {
-    for (const auto& votes : tile.votes) {
-      const std::uint32_t segment = scene.segments.patch_label[patch++] - 1;
-      for (const auto& [object, points] : votes) sums[{segment, object}] += points;
+  const auto add = [&](const track::Vote& vote) {
+    const std::uint32_t segment = scene.segments.patch_label[patch] - 1;
+    track::Overlap& sum = sums[{segment, vote.object}];
+    sum = {segment, vote.object, sum.points + vote.points, sum.steady + vote.steady};
+  };
+  for (auto& [key, tile] : tiles) {
+    if (!tile.fresh && tile.patched && tile.steady.empty()) {
+      tile.steady = track::steady_points(tile, options.steady_after);
+    }
+    for (std::size_t p = 0; p < tile.patch_count(); ++p, ++patch) {
+      if (tile.fresh) {
+        for (const track::Vote& vote : tile.votes[p]) add(vote);
+      } else {
+        add({tile.objects[p], tile.patched->graph.patches[p].point_count, tile.steady[p]});
+      }
     }
   }
   std::vector<track::Overlap> list;
-  for (const auto& [pair, points] : sums) list.push_back({pair.first, pair.second, points});
+  for (const auto& [pair, sum] : sums) list.push_back(sum);
   return list;
 }
 

@@ -28,6 +28,7 @@ std::vector<std::uint32_t> ObjectBook::match(const std::vector<Segment>& segment
     surviving[o.object] += o.points;
     carried[o.segment] += o.points;
     step.carried += o.points;
+    step.steady += o.steady;
   }
   const auto counts = [&](const Overlap& o) {
     return o.points >= kShare * surviving[o.object] || o.points >= kShare * carried[o.segment];
@@ -48,19 +49,27 @@ std::vector<std::uint32_t> ObjectBook::match(const std::vector<Segment>& segment
     const auto found = std::ranges::find(ordered, segment, &Overlap::segment);
     return found == ordered.end() ? 0u : found->object;
   };
+  std::vector<std::uint32_t> parent(segments.size(), 0);  // that a new object was split from
   for (std::uint32_t s = 0; s < segments.size(); ++s) {
     if (object_of[s] != 0) continue;
     object_of[s] = ++last_;
-    const std::uint32_t parent = heir_of(s);
-    const bool split = 2 * carried[s] >= segments[s].point_count;
-    add(split ? TrackEventKind::Split : TrackEventKind::New, split ? parent : object_of[s],
-        split ? object_of[s] : 0, segments[s].point_count);
+    if (2 * carried[s] >= segments[s].point_count && carried[s] > 0) {
+      parent[s] = heir_of(s);
+    } else {
+      add(TrackEventKind::New, object_of[s], 0, segments[s].point_count);
+    }
   }
   for (const Overlap& o : ordered) {
-    if (object_of[o.segment] == o.object) {
+    const std::uint32_t object = object_of[o.segment];
+    if (object == o.object) {
       step.kept += o.points;
+      step.steady_kept += o.steady;
+    } else if (parent[o.segment] == o.object) {
+      add(TrackEventKind::Split, o.object, object, o.points);
     } else if (!taken.contains(o.object) && 2 * o.points >= surviving[o.object]) {
-      add(TrackEventKind::Merge, object_of[o.segment], o.object, o.points);
+      add(TrackEventKind::Merge, object, o.object, o.points);
+    } else {
+      add(TrackEventKind::Moved, o.object, object, o.points);
     }
   }
   for (const std::uint32_t object : alive_) {
@@ -72,6 +81,24 @@ std::vector<std::uint32_t> ObjectBook::match(const std::vector<Segment>& segment
   }
   alive_ = std::set<std::uint32_t>(object_of.begin(), object_of.end());
   return object_of;
+}
+
+void ObjectBook::write(io::StateWriter& to) const {
+  to.put(last_);
+  to.list(std::vector<std::uint32_t>(alive_.begin(), alive_.end()));
+  to.list(std::vector<std::uint32_t>(supported_.begin(), supported_.end()));
+}
+
+ObjectBook ObjectBook::read(io::StateReader& from) {
+  ObjectBook book;
+  book.last_ = from.get<std::uint32_t>();
+  for (std::set<std::uint32_t>* set : {&book.alive_, &book.supported_}) {
+    const std::vector<std::uint32_t> list = from.list<std::uint32_t>();
+    set->insert(list.begin(), list.end());
+    from.require(set->empty() || (*set->begin() >= 1 && *set->rbegin() <= book.last_),
+                 "an object that was never numbered");
+  }
+  return book;
 }
 
 }  // namespace planescope::track

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/state_stream.hpp"
 #include "planescope/track.hpp"
 
 namespace planescope::track {
@@ -16,6 +17,7 @@ struct Overlap {
   std::uint32_t segment = 0;  ///< index
   std::uint32_t object = 0;
   std::uint32_t points = 0;
+  std::uint32_t steady = 0;  ///< of the points: in pieces that were given often
 };
 
 /// The numbers that objects keep.
@@ -23,10 +25,16 @@ class ObjectBook {
  public:
   /// Matches segments with the objects before, largest overlap first (ties to the lower segment,
   /// then object), each once; a match needs a fifth of the object's surviving points or of the
-  /// segment's. What is left over is new. Adds events, and counts what was kept.
-  /// \returns per segment: its object.
+  /// segment's. What is left over is new. Adds events, one for each overlap that changes its
+  /// object, and counts what was kept. \returns per segment: its object.
   std::vector<std::uint32_t> match(const std::vector<Segment>& segments,
                                    const std::vector<Overlap>& overlaps, TrackStep& step);
+
+  std::uint32_t last() const { return last_; }  ///< highest number given so far
+
+  void write(io::StateWriter& to) const;
+  /// \throws Error{Kind::Input} damaged.
+  static ObjectBook read(io::StateReader& from);
 
  private:
   std::uint32_t last_ = 0;

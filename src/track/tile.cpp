@@ -9,26 +9,14 @@ namespace planescope::track {
 namespace {
 
 VoxelKey voxel_of(const Eigen::Vector3f& p, double voxel_size) {
-  const auto part = [&](float v) {
-    return static_cast<std::int32_t>(std::floor(static_cast<double>(v) / voxel_size));
+  constexpr double kMost = 2e9;  // pieces may lie anywhere
+  const double inverse = 1 / voxel_size;
+  const auto part = [&](float v) {  // std::floor is a call without SSE 4.1, and this runs for all
+    const double scaled = std::clamp(static_cast<double>(v) * inverse, -kMost, kMost);
+    const auto whole = static_cast<std::int32_t>(scaled);
+    return whole - (scaled < static_cast<double>(whole) ? 1 : 0);
   };
   return {part(p.z()), part(p.y()), part(p.x())};
-}
-
-template <class T>
-void append(std::vector<T>& to, const std::vector<T>& from) {
-  to.insert(to.end(), from.begin(), from.end());
-}
-
-PointCloud gather(const std::map<BlockKey, PointCloud>& pieces) {
-  PointCloud cloud;
-  for (const auto& [key, piece] : pieces) {
-    append(cloud.positions, piece.positions);
-    append(cloud.normals, piece.normals);
-    append(cloud.colors, piece.colors);
-  }
-  cloud.width = static_cast<std::uint32_t>(cloud.size());
-  return cloud;
 }
 
 /// Entries (voxel, value) into one a voxel: the value that most have, of equals the lowest.
@@ -48,24 +36,9 @@ std::vector<std::pair<VoxelKey, std::uint32_t>> majority(
   return result;
 }
 
-std::uint32_t find(const std::vector<std::pair<VoxelKey, std::uint32_t>>& sorted,
-                   const VoxelKey& key, std::uint32_t missing) {
-  const auto found = std::lower_bound(sorted.begin(), sorted.end(), std::pair(key, 0u));
-  return found != sorted.end() && found->first == key ? found->second : missing;
-}
-
-}  // namespace
-
-void patch_tile(Tile& tile, const BlockKey& key, double tile_size, const PatchOptions& options) {
-  tile.cloud = gather(tile.pieces);
-  tile.graph = {};
-  tile.rim.clear();
-  const bool any = std::ranges::any_of(tile.cloud.positions, is_finite);
-  if (!any) {
-    tile.graph.point_patch.assign(tile.cloud.size(), kNone);
-    return;
-  }
-  tile.graph = make_patches(tile.cloud, options);
+/// Fills in which patches lie at the tile's faces, and where.
+void find_rim(PatchedTile& tile, const BlockKey& key, double tile_size,
+              const PatchOptions& options) {
   const Eigen::Vector3f lower = (Eigen::Vector3d(key.x, key.y, key.z) * tile_size).cast<float>();
   // Cells of fused pieces reach a voxel over their block's face.
   const auto margin = static_cast<float>(2 * options.voxel_size);
@@ -89,8 +62,66 @@ void patch_tile(Tile& tile, const BlockKey& key, double tile_size, const PatchOp
   }
 }
 
-std::vector<Adjacency> join_tiles(const Tile& a, const Tile& b) {
-  constexpr std::uint32_t kMissing = ~0u;
+/// Visits the points in patches: index, patch, whether the point's piece was given often.
+template <class Visit>
+void for_each_point(const Tile& tile, unsigned steady_after, const Visit& visit) {
+  std::size_t i = 0;
+  for (const auto& [key, count] : tile.patched->pieces) {
+    const auto piece = tile.pieces.find(key);
+    const bool steady = piece != tile.pieces.end() && piece->second.times >= steady_after;
+    for (const std::size_t end = i + count; i < end; ++i) {
+      const std::int32_t patch = tile.patched->graph.point_patch[i];
+      if (patch != kNone) visit(i, static_cast<std::size_t>(patch), steady);
+    }
+  }
+}
+
+}  // namespace
+
+void append(const PointCloud& points, PointCloud& to) {
+  const auto add = [](auto& all, const auto& more) {
+    all.insert(all.end(), more.begin(), more.end());
+  };
+  constexpr Rgb kUnseen{128, 128, 128};  // a camera's first frames may lack colours
+  if (!points.colors.empty() || !to.colors.empty()) {
+    to.colors.resize(to.size(), kUnseen);
+    add(to.colors, points.colors);
+    to.colors.resize(to.size() + points.size(), kUnseen);
+  }
+  add(to.positions, points.positions);
+  add(to.normals, points.normals);
+}
+
+Eigen::Vector3d mean_of(const PointCloud& cloud) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3f& p : cloud.positions) sum += p.cast<double>();
+  if (sum.allFinite()) return sum / static_cast<double>(std::max<std::size_t>(1, cloud.size()));
+  sum.setZero();
+  std::size_t count = 0;
+  for (const Eigen::Vector3f& p : cloud.positions) {
+    if (!is_finite(p)) continue;
+    sum += p.cast<double>();
+    ++count;
+  }
+  return sum / static_cast<double>(std::max<std::size_t>(1, count));
+}
+
+PatchedTile patch_tile(PointCloud cloud, std::vector<std::pair<BlockKey, std::uint32_t>> pieces,
+                       const BlockKey& key, double tile_size, const PatchOptions& options) {
+  PatchedTile tile;
+  tile.cloud = std::move(cloud);
+  tile.pieces = std::move(pieces);
+  const bool any = std::ranges::any_of(tile.cloud.positions, is_finite);
+  if (!any) {
+    tile.graph.point_patch.assign(tile.cloud.size(), kNone);
+    return tile;
+  }
+  tile.graph = make_patches(tile.cloud, options);
+  find_rim(tile, key, tile_size, options);
+  return tile;
+}
+
+std::vector<Adjacency> join_tiles(const PatchedTile& a, const PatchedTile& b) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   if (a.rim.empty() || b.rim.empty()) return {};
   for (const auto& [voxel, patch] : a.rim) {
@@ -99,10 +130,13 @@ std::vector<Adjacency> join_tiles(const Tile& a, const Tile& b) {
       near_other = near_other && voxel[k] >= b.rim_lower[k] - 1 && voxel[k] <= b.rim_upper[k] + 1;
     }
     if (!near_other) continue;
-    for (int n = 0; n < 27; ++n) {
-      const VoxelKey near = {voxel[0] + n / 9 - 1, voxel[1] + n / 3 % 3 - 1, voxel[2] + n % 3 - 1};
-      const std::uint32_t other = find(b.rim, near, kMissing);
-      if (other != kMissing) pairs.emplace_back(patch, other);
+    for (int n = 0; n < 9; ++n) {  // rows of three
+      const VoxelKey left = {voxel[0] + n / 3 - 1, voxel[1] + n % 3 - 1, voxel[2] - 1};
+      const VoxelKey right = {left[0], left[1], voxel[2] + 1};
+      for (auto found = std::lower_bound(b.rim.begin(), b.rim.end(), std::pair(left, 0u));
+           found != b.rim.end() && found->first <= right; ++found) {
+        pairs.emplace_back(patch, found->second);
+      }
     }
   }
   std::sort(pairs.begin(), pairs.end());
@@ -116,28 +150,48 @@ std::vector<Adjacency> join_tiles(const Tile& a, const Tile& b) {
   return joined;
 }
 
-PlaceMemory remember(const Tile& tile, const std::vector<std::uint32_t>& patch_object,
-                     double voxel_size) {
-  PlaceMemory entries;
+PlaceMemory remember(const PatchedTile& tile, const std::vector<std::uint32_t>& patch_object,
+                     double place_size) {
+  PlaceMemory memory;
   for (std::size_t i = 0; i < tile.cloud.size(); ++i) {
     const std::int32_t patch = tile.graph.point_patch[i];
     if (patch == kNone) continue;
-    entries.emplace_back(voxel_of(tile.cloud.positions[i], voxel_size),
-                         patch_object[static_cast<std::size_t>(patch)]);
+    const std::uint32_t object = patch_object[static_cast<std::size_t>(patch)];
+    // Boyer and Moore's vote: whoever has more than half of the points wins it.
+    Place& place = memory[voxel_of(tile.cloud.positions[i], place_size)];
+    if (place.lead == 0) place.object = object;
+    place.lead += place.object == object ? 1 : -1;
   }
-  return majority(std::move(entries));
+  return memory;
 }
 
-void vote(Tile& tile, const PlaceMemory& memory, double voxel_size) {
-  std::vector<std::map<std::uint32_t, std::uint32_t>> counts(tile.graph.patches.size());
-  for (std::size_t i = 0; i < tile.cloud.size(); ++i) {
-    const std::int32_t patch = tile.graph.point_patch[i];
-    if (patch == kNone) continue;
-    const std::uint32_t object = find(memory, voxel_of(tile.cloud.positions[i], voxel_size), 0);
-    if (object != 0) ++counts[static_cast<std::size_t>(patch)][object];
-  }
-  tile.votes.clear();
-  for (const auto& count : counts) tile.votes.emplace_back(count.begin(), count.end());
+std::uint32_t recall(const PlaceMemory& memory, const Eigen::Vector3f& point, double place_size) {
+  if (memory.empty() || !is_finite(point)) return 0;
+  const auto found = memory.find(voxel_of(point, place_size));
+  return found == memory.end() ? 0 : found->second.object;
+}
+
+std::vector<std::vector<Vote>> vote(const Tile& tile, double place_size, unsigned steady_after) {
+  std::vector<std::vector<Vote>> votes(tile.patch_count());
+  const std::vector<Eigen::Vector3f>& positions = tile.patched->cloud.positions;
+  for_each_point(tile, steady_after, [&](std::size_t i, std::size_t patch, bool steady) {
+    const std::uint32_t object = recall(tile.memory, positions[i], place_size);
+    if (object == 0) return;
+    std::vector<Vote>& own = votes[patch];  // a few: sought one by one
+    auto found = std::ranges::find(own, object, &Vote::object);
+    if (found == own.end()) found = own.insert(own.end(), {object, 0, 0});
+    ++found->points;
+    if (steady) ++found->steady;
+  });
+  for (std::vector<Vote>& own : votes) std::ranges::sort(own, {}, &Vote::object);
+  return votes;
+}
+
+std::vector<std::uint32_t> steady_points(const Tile& tile, unsigned steady_after) {
+  std::vector<std::uint32_t> counts(tile.patch_count(), 0);
+  for_each_point(tile, steady_after,
+                 [&](std::size_t, std::size_t patch, bool steady) { counts[patch] += steady; });
+  return counts;
 }
 
 }  // namespace planescope::track

@@ -43,6 +43,14 @@ break_as all_lost 1 && sed -i '2,4s/^.*$/-inf -inf -inf -inf/' "$shared/all_lost
 break_as truncated 3 && truncate -s 3000 "$shared/truncated/depth/00002.png"
 break_as other_size 3 && sed -i '2s/^640 480/320 240/' "$shared/other_size/camera.txt"
 break_as far_pose 2 && sed -i '7s/[^ ]*$/90000/' "$shared/far_pose/trajectory.log"
+move() { # NAME LINE: half a metre along x, in line LINE of the poses
+  awk -v line="$2" 'NR == line { $4 += 0.5 } { print }' OFMT=%.17g CONVFMT=%.17g \
+    "$shared/$1/trajectory.log" >"$shared/moved.log"
+  mv "$shared/moved.log" "$shared/$1/trajectory.log"
+}
+break_as loop_closed 9 && move loop_closed 7
+break_as jump 3 && move jump 12
+mkdir "$shared/no_snapshot" && seq 100 >"$shared/no_snapshot/snapshot.bin"
 # Depth and poses that no time has in common.
 mkdir -p "$shared/no_overlap/depth"
 cp "$shared/frames/depth/00000.png" "$shared/no_overlap/depth"

@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: 2026 the planescope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <sstream>
+
+#include "io/state_stream.hpp"
+#include "planescope/error.hpp"
+#include "planescope/fusion.hpp"
+#include "planescope/track.hpp"
+#include "sequence_fixtures.hpp"
+#include "track_fixtures.hpp"
+
+namespace planescope {
+namespace {
+
+using testing::Pieces;
+
+template <class T>
+std::string bytes_of(const T& value) {
+  std::ostringstream to;
+  value.write(to);
+  return to.str();
+}
+
+template <class T>
+T back(const std::string& bytes) {
+  std::istringstream from(bytes);
+  return T::read(from, "snapshot");
+}
+
+/// The message of the error that reading gives, or nothing.
+template <class T>
+std::string refusal(const std::string& bytes) {
+  try {
+    back<T>(bytes);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), Error::Kind::Input);
+    return error.what();
+  }
+  return {};
+}
+
+TrackOptions spread() {
+  TrackOptions options;
+  options.interval = 3;
+  options.share = 0.2;
+  options.least_points = 1000;
+  return options;
+}
+
+/// The k-th of ten looks at a room: half a slab, and part of what was seen before moved a little.
+Pieces look(const PointCloud& room, std::uint32_t k) {
+  Pieces pieces = testing::slab(room, k / 2);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (i % 2 == 0 || k % 2 == 0) continue;
+    for (Eigen::Vector3f& p : pieces[i].points.positions) p.z() += 0.006f;
+  }
+  return pieces;
+}
+
+bool same(const TrackStep& a, const TrackStep& b) {
+  const auto numbers = [](const TrackStep& s) {
+    return std::vector<std::size_t>{s.frame,   s.pieces,      s.changed,      s.tiles,
+                                    s.waiting, s.segmented,   s.points,       s.patches,
+                                    s.planes,  s.segments,    s.carried,      s.kept,
+                                    s.steady,  s.steady_kept, s.events.size()};
+  };
+  return numbers(a) == numbers(b);
+}
+
+// Stopped after any update and read back, it goes on to the same bytes.
+TEST(TrackSnapshot, GoingOnIsTheSameAsNotStopping) {
+  const PointCloud room = testing::make_room(4, 100'000);
+  constexpr std::uint32_t kLooks = 10;
+  MapTracker whole(spread());
+  std::vector<std::string> after = {bytes_of(whole)};
+  std::vector<TrackStep> steps;
+  for (std::uint32_t k = 0; k < kLooks; ++k) {
+    steps.push_back(whole.update(k, look(room, k)));
+    after.push_back(bytes_of(whole));
+  }
+  const TrackResult end = whole.finish(kLooks);
+  for (std::uint32_t stop = 0; stop <= kLooks; ++stop) {
+    MapTracker tracker = back<MapTracker>(after[stop]);
+    EXPECT_EQ(bytes_of(tracker), after[stop]) << stop;
+    for (std::uint32_t k = stop; k < kLooks; ++k) {
+      EXPECT_TRUE(same(tracker.update(k, look(room, k)), steps[k])) << stop << " " << k;
+    }
+    EXPECT_EQ(bytes_of(tracker), after[kLooks]) << stop;
+    const TrackResult other = tracker.finish(kLooks);
+    EXPECT_EQ(other.scene.point_label, end.scene.point_label);
+    EXPECT_EQ(other.objects, end.objects);
+    EXPECT_TRUE(same(other.step, end.step));
+  }
+}
+
+const DepthCamera kCamera{
+    .lens = {.width = 80, .height = 60, .fx = 65, .fy = 65, .cx = 39.5, .cy = 29.5}};
+
+/// A wall two metres away, every pixel of one colour.
+void see_wall(TsdfVolume& volume, int k) {
+  const DepthImage depth{80, 60, std::vector<std::uint16_t>(80 * 60, 2000)};
+  const ColorImage color{80, 60, std::vector<Rgb>(80 * 60, Rgb{10, 200, 30})};
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translation().x() = 0.01 * k;
+  volume.integrate(depth, k % 2 == 0 ? color : ColorImage{}, kCamera, pose);
+}
+
+TEST(TrackSnapshot, AVolumeGoesOnToTheSameBits) {
+  TsdfVolume whole({.voxel_size = 0.03});
+  std::string half;
+  for (int k = 0; k < 6; ++k) {
+    see_wall(whole, k);
+    if (k == 2) half = bytes_of(whole);
+  }
+  TsdfVolume volume = back<TsdfVolume>(half);
+  EXPECT_EQ(volume.frames(), 3u);
+  for (int k = 3; k < 6; ++k) see_wall(volume, k);
+  EXPECT_EQ(bytes_of(volume), bytes_of(whole));
+  EXPECT_EQ(volume.points().positions, whole.points().positions);
+  EXPECT_EQ(volume.points().colors, whole.points().colors);
+  EXPECT_EQ(volume.changed_since(4), whole.changed_since(4));
+}
+
+/// Every bit that is flipped, and every byte that is missing, is noticed. All of short snapshots,
+/// some of long ones.
+template <class T>
+void damage(const std::string& whole) {
+  const std::size_t stride = std::max<std::size_t>(1, whole.size() / 400);
+  for (std::size_t at = 0; at < whole.size(); at += at < 600 ? 7 : stride) {
+    std::string bytes = whole;
+    bytes[at] = static_cast<char>(bytes[at] ^ (1 << at % 8));
+    EXPECT_NE(refusal<T>(bytes), "") << "byte " << at;
+    EXPECT_NE(refusal<T>(whole.substr(0, at)), "") << "length " << at;
+  }
+}
+
+TEST(TrackSnapshot, DamageIsNoticed) {
+  TsdfVolume volume({.voxel_size = 0.1});
+  see_wall(volume, 0);
+  damage<TsdfVolume>(bytes_of(volume));
+  MapTracker tracker(spread());
+  for (std::uint32_t k = 0; k < 4; ++k) {
+    tracker.update(k, testing::all(testing::level(-0.5, 0.5 + k * 0.3, -0.5, 0.5, 0.3)));
+  }
+  damage<MapTracker>(bytes_of(tracker));
+}
+
+// A list as long as memory is refused before it is made.
+TEST(TrackSnapshot, LengthsAreBoundedByTheFile) {
+  std::ostringstream to;
+  io::StateWriter writer(to, "lists", 1);
+  writer.put<std::uint64_t>(std::uint64_t{1} << 60);
+  writer.finish();
+  std::istringstream from(to.str());
+  io::StateReader reader(from, "snapshot", "lists", 1);
+  EXPECT_THROW(reader.list<double>(), Error);
+}
+
+TEST(TrackSnapshot, OtherFilesAreRefusedInWords) {
+  EXPECT_NE(refusal<MapTracker>("").find("cut short"), std::string::npos);
+  EXPECT_NE(refusal<MapTracker>(std::string(100, 'x')).find("no snapshot"), std::string::npos);
+  std::string later = bytes_of(MapTracker());
+  later[8] = 2;
+  EXPECT_NE(refusal<MapTracker>(later).find("version 2"), std::string::npos);
+  std::string other_order = bytes_of(MapTracker());
+  std::swap(other_order[12], other_order[15]);
+  EXPECT_NE(refusal<MapTracker>(other_order).find("byte order"), std::string::npos);
+  EXPECT_NE(refusal<MapTracker>(bytes_of(TsdfVolume())).find("expected `tracker`"),
+            std::string::npos);
+}
+
+// By hand, for one word.
+TEST(TrackSnapshot, TheHashIsWhatTheFormatSays) {
+  io::StateHash hash;
+  EXPECT_EQ(hash.value(), 0xcbf29ce484222325ull);
+  const std::uint64_t word = 42;
+  hash.add(&word, sizeof word);
+  std::uint64_t expected = (0xcbf29ce484222325ull ^ 42) * 0x100000001b3ull;
+  expected ^= expected >> 32;
+  EXPECT_EQ(hash.value(), expected);
+}
+
+}  // namespace
+}  // namespace planescope
