@@ -223,7 +223,7 @@ Image Drawing::draw(Layer layers, const std::array<int, 2>& size, Annotation ann
   place(*points_renderer_, eye_, depths.data());
   place(*shapes_renderer_, eye_, depths.data());
   Image image = picture(size, scale, annotation, layout);
-  if (is_uniform(image, layout.band, layout.height - layout.footer)) {
+  if (!uniform_allowed_ && is_uniform(image, layout.band, layout.height - layout.footer)) {
     throw Error(Error::Kind::Rendering,
                 "the picture would be one colour only, so it is not written; is the scene within "
                 "view, and another colour than the background?");

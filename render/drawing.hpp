@@ -47,6 +47,9 @@ class Drawing {
   Image draw_marked(const std::vector<Pixel>& colors, const std::array<int, 2>& size,
                     Annotation annotation, const Actors& shapes);
 
+  /// From now on a picture may be uniform: a camera that goes its own way may see nothing.
+  void allow_uniform() { uniform_allowed_ = true; }
+
   /// The camera of the picture that was drawn last.
   const Camera& camera() const { return eye_; }
   const Shot& shot() const { return shot_; }
@@ -67,6 +70,7 @@ class Drawing {
 
   const SceneData& scene_;
   RenderOptions options_;
+  bool uniform_allowed_ = false;
   Shot shot_;
   SceneColors colors_;
   Window window_;

@@ -58,6 +58,7 @@ std::string picture_of(const MapTracker& tracker, const RenderOptions& options,
                                          : object_color(tracker.objects()[label - 1]));
   }
   draw::Drawing drawing(data, options);
+  drawing.allow_uniform();
   draw::Annotation words;
   words.title = title;
   return draw::encode_png(drawing.draw_marked(colors, options.size, words, {}));
