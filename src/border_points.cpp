@@ -91,7 +91,7 @@ std::vector<std::int32_t> recut_borders(const Segmentation& scene, const PointCl
           float least = kStay * discs[own].distance(p, kAlong);
           for (std::size_t k = rivals.offsets[own]; k < rivals.offsets[own + 1]; ++k) {
             const std::uint32_t rival = rivals.patches[k];
-            const float distance = discs[rival].distance(p, kAlong);
+            const float distance = discs[rival].distance(p, kAlong, least);
             if (distance >= least) continue;
             least = distance;
             point_patch[i] = static_cast<std::int32_t>(rival);

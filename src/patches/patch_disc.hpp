@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "planescope/patches.hpp"
@@ -21,12 +21,16 @@ struct PatchDisc {
     return {patch.normal, patch.centroid, std::sqrt(patch.area / std::numbers::pi_v<float>), 1.0f};
   }
 
-  /// [m] weighted distance above the plane, and `along` times that beyond the rim.
-  float distance(const Eigen::Vector3f& p, float along) const {
+  /// [m] weighted distance above the plane, and `along` times that beyond the rim; where that is
+  /// not less than `limit`, some number that is not.
+  float distance(const Eigen::Vector3f& p, float along,
+                 float limit = std::numeric_limits<float>::infinity()) const {
     const Eigen::Vector3f d = p - center;
     const float above = normal.dot(d);
-    const float beside = (d - above * normal).norm();
-    return weight * std::abs(above) + along * std::max(0.0f, beside - radius);
+    const float weighted = weight * std::abs(above);
+    if (weighted >= limit) return weighted;
+    const float beside = d.squaredNorm() - above * above;  // squared
+    return beside > radius * radius ? weighted + along * (std::sqrt(beside) - radius) : weighted;
   }
 };
 

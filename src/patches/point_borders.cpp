@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "patches/point_borders.hpp"
 
+#include <algorithm>
+
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -14,7 +16,7 @@ namespace {
 // the true borders, but patches then reach past each other where cameras see little between them.
 constexpr float kAlong = 0.3f;
 constexpr float kStay = 0.9f;
-constexpr float kCrease = 0.966f;  // cos 15 deg: flatter patches share a surface, and stay as grown
+constexpr float kCrease = 0.94f;  // cos 20 deg: flatter patches share a surface, and stay as grown
 
 // Of each patch, the adjacent ones across a crease, in compressed rows.
 struct Rivals {
@@ -38,24 +40,21 @@ Rivals find_rivals(const PatchGraph& graph) {
   return rivals;
 }
 
-// A patch of few points may lose all of them to both sides; then it gets them back.
-void restore_emptied(const std::vector<std::int32_t>& before, PatchGraph& graph) {
-  std::vector<std::uint8_t> holds(graph.patches.size(), 0);
+std::vector<std::uint32_t> count_points(const PatchGraph& graph) {
+  std::vector<std::uint32_t> counts(graph.patches.size(), 0);
   for (const std::int32_t p : graph.point_patch) {
-    if (p != kNone) holds[static_cast<std::size_t>(p)] = 1;
+    if (p != kNone) ++counts[static_cast<std::size_t>(p)];
   }
-  if (std::find(holds.begin(), holds.end(), 0) == holds.end()) return;
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    if (before[i] != kNone && holds[static_cast<std::size_t>(before[i])] == 0) {
-      graph.point_patch[i] = before[i];
-    }
-  }
+  return counts;
 }
 
-void count_points(PatchGraph& graph) {
-  for (Patch& patch : graph.patches) patch.point_count = 0;
-  for (const std::int32_t p : graph.point_patch) {
-    if (p != kNone) ++graph.patches[static_cast<std::size_t>(p)].point_count;
+// A patch of few points may lose all of them to both sides; then it gets them back.
+void restore_emptied(const std::vector<std::int32_t>& before,
+                     const std::vector<std::uint32_t>& counts, PatchGraph& graph) {
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (before[i] != kNone && counts[static_cast<std::size_t>(before[i])] == 0) {
+      graph.point_patch[i] = before[i];
+    }
   }
 }
 
@@ -73,7 +72,7 @@ void cut_at_creases(const PointCloud& cloud, PatchGraph& graph) {
     const Eigen::Vector3f& p = cloud.positions[i];
     float least = kStay * discs[own].distance(p, kAlong);
     for (std::size_t k = rivals.offsets[own]; k < rivals.offsets[own + 1]; ++k) {
-      const float distance = discs[rivals.patches[k]].distance(p, kAlong);
+      const float distance = discs[rivals.patches[k]].distance(p, kAlong, least);
       if (distance >= least) continue;
       least = distance;
       graph.point_patch[i] = static_cast<std::int32_t>(rivals.patches[k]);
@@ -85,8 +84,12 @@ void cut_at_creases(const PointCloud& cloud, PatchGraph& graph) {
                         if (before[i] != kNone) cut(i);
                       }
                     });
-  restore_emptied(before, graph);
-  count_points(graph);
+  std::vector<std::uint32_t> counts = count_points(graph);
+  if (std::find(counts.begin(), counts.end(), 0U) != counts.end()) {
+    restore_emptied(before, counts, graph);
+    counts = count_points(graph);
+  }
+  for (std::size_t p = 0; p < counts.size(); ++p) graph.patches[p].point_count = counts[p];
 }
 
 }  // namespace planescope
