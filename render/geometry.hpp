@@ -11,8 +11,8 @@
 /// Coordinates are metres relative to the cloud's origin.
 namespace planescope::draw {
 
-/// The patches as vertices at their centroids. Point data: `normal` (3), `own_normal` (3), `color` (3 bytes),
-/// `curvature`, `area`, `point_count`, `voxel_count`, `plane` (-1: none), `label`,
+/// The patches as vertices at their centroids. Point data: `normal` (3), `own_normal` (3), `color`
+/// (3 bytes), `curvature`, `area`, `point_count`, `voxel_count`, `plane` (-1: none), `label`,
 /// `plane_margin`.
 vtkSmartPointer<vtkPolyData> patch_geometry(const Segmentation& scene);
 

@@ -25,7 +25,7 @@ class Keeper final : public vtkOutputWindow {
   static Keeper* New();
   vtkTypeMacro(Keeper, vtkOutputWindow)
 
-  void DisplayText(const char* /*text*/) override {}
+      void DisplayText(const char* /*text*/) override {}
   void DisplayErrorText(const char* text) override {
     const std::lock_guard lock(mutex_);
     if (first.empty()) first = one_line(text);

@@ -58,9 +58,9 @@ struct Result {
   std::string input_name;
   std::string input_hash;    ///< InputInfo::hash
   std::string options_hash;  ///< hash_text() of the options as result.json has them, keys sorted
-  double voxel_size = 0, patch_size = 0;  ///< [m]
-  Options options;                        ///< that made it; of a peer the scale only
-  PlaneSelection selection;               ///< hypotheses; empty where the method has none
+  double voxel_size = 0, patch_size = 0;           ///< [m]
+  Options options;                                 ///< that made it; of a peer the scale only
+  PlaneSelection selection;                        ///< hypotheses; empty where the method has none
   std::map<std::string, std::string> file_hashes;  ///< by name, of add_files(); not in memory
 };
 

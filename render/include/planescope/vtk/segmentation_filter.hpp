@@ -31,7 +31,7 @@ class SegmentationFilter : public vtkPolyDataAlgorithm {
   static SegmentationFilter* New();
   // clang-format off
   vtkTypeMacro(SegmentationFilter, vtkPolyDataAlgorithm)  // its last brace needs no semicolon
-      // clang-format on
+                                                          // clang-format on
       void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum Port { PointsPort = 0, PlanesPort = 1, GraphPort = 2 };
