@@ -8,20 +8,24 @@
 
 namespace planescope {
 
+/// Whether limit_data() does anything: false in a build with the address or thread sanitizer, whose
+/// shadow of terabytes is beyond every limit.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool kLimitsData = false;
+#else
+inline constexpr bool kLimitsData = true;
+#endif
+
 /// Refuses this process, and what it becomes, data of more than `bytes` in all: allocations beyond
-/// throw std::bad_alloc. Safe between fork and exec. Does nothing in a build with the address
-/// or thread sanitizer, whose shadow of terabytes is beyond every limit.
+/// throw std::bad_alloc. Safe between fork and exec.
 /// \param lasting true: it cannot be raised again.
 inline void limit_data(std::uint64_t bytes, bool lasting) {
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+  if (!kLimitsData) return;
   rlimit limit{};
   if (::getrlimit(RLIMIT_DATA, &limit) != 0) return;
   limit.rlim_cur = std::min<rlim_t>(bytes, limit.rlim_max);
   if (lasting) limit.rlim_max = limit.rlim_cur;
   ::setrlimit(RLIMIT_DATA, &limit);
-#else
-  (void)bytes, (void)lasting;
-#endif
 }
 
 }  // namespace planescope
