@@ -209,8 +209,9 @@ TEST(RunBatch, OneBadSceneCostsOneScene) {
   for (const TableFailure& failure : table.failures) reasons[failure.scene] = failure.reason;
   EXPECT_NE(reasons["crash"].find("signal 11"), std::string::npos) << reasons["crash"];
   EXPECT_NE(reasons["hang"].find("longer than 2 s"), std::string::npos) << reasons["hang"];
-  if (kLimitsData)
+  if (kLimitsData) {
     EXPECT_NE(reasons["memory"].find("exit code 4"), std::string::npos) << reasons["memory"];
+  }
   EXPECT_EQ(reasons["refused"], "exit code 3: refused.pcd: is no cloud");
   ASSERT_EQ(table.methods.size(), 2U);
   const Estimate& overlap = table.methods[1].cells.at("weighted_overlap");
