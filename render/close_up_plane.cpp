@@ -65,9 +65,9 @@ void add_hypothesis(std::vector<PanelLine>& panel, const HypothesisReport& r, do
                        (r.hypothesis.selected ? "selected" : "refused") +
                        (r.plane == kNone ? "" : " as plane " + std::to_string(r.plane)) + note,
                    Style::Swatch, color});
-  panel.push_back({hypothesis_words(r.hypothesis, lambda) + ", E with it minus E without it " +
-                       number(r.hypothesis.flip_cost),
-                   Style::Small, draw::kInk});
+  panel.push_back(
+      {hypothesis_words(r.hypothesis, lambda) + ", " + cost_words(r.hypothesis, PlaneRole::Support),
+       Style::Small, draw::kInk});
   add_pairs(panel, r, kMostPairs);
 }
 
@@ -101,12 +101,7 @@ std::vector<PanelLine> panel_of(const PlaneExplanation& x) {
                        number(static_cast<double>(x.plane.area)) + " m^2, rms " +
                        length_words(static_cast<double>(x.plane.rms)),
                    Style::Strong, draw::kInk});
-  panel.push_back({(x.plane.role == PlaneRole::Face
-                        ? face_words() + ": "
-                        : "chosen as hypothesis " + std::to_string(x.chosen.index) + ": ") +
-                       hypothesis_words(x.chosen.hypothesis, x.lambda) +
-                       ", E with it minus E without it " + number(x.chosen.hypothesis.flip_cost),
-                   Style::Small, draw::kInk});
+  panel.push_back({chosen_words(x), Style::Small, draw::kInk});
   add_pairs(panel, x.chosen, 3);
   std::string shares;
   for (std::size_t i = 0; i < std::min<std::size_t>(4, x.truth.size()); ++i) {

@@ -29,10 +29,6 @@ std::string flips_words(const std::vector<Flip>& flips) {
   return text;
 }
 
-std::string cost_words(const PlaneHypothesis& h) {
-  return "E with it minus E without it " + number(h.flip_cost);
-}
-
 std::string beaten_words(const PlaneExplanation& x) {
   if (x.beaten.empty()) return "";
   std::string text = "  it cost these hypotheses most:\n";
@@ -79,8 +75,8 @@ std::string near_words(const MissingExplanation& x) {
             (x.holds[i] ? ", holds the patch: " : ", does not hold the patch: ") +
             (r.hypothesis.selected ? "selected" : "refused") +
             (r.plane == kNone ? "" : " as plane " + std::to_string(r.plane)) + "; " +
-            hypothesis_words(r.hypothesis, x.lambda) + ", " + cost_words(r.hypothesis) + "\n" +
-            pairs_words(r.pairs);
+            hypothesis_words(r.hypothesis, x.lambda) + ", " +
+            cost_words(r.hypothesis, PlaneRole::Support) + "\n" + pairs_words(r.pairs);
   }
   return text + more(x.near.size(), "hypotheses");
 }
@@ -88,16 +84,12 @@ std::string near_words(const MissingExplanation& x) {
 }  // namespace
 
 std::string describe(const PlaneExplanation& x) {
-  const PlaneHypothesis& h = x.chosen.hypothesis;
   std::string text = "plane " + std::to_string(x.index) + ": " + plane_words(x.plane.plane) + "; " +
                      std::to_string(x.plane.patch_count) + " patches, " +
                      std::to_string(x.plane.point_count) + " points, " +
                      number(static_cast<double>(x.plane.area)) + " m^2, rms " +
                      length_words(static_cast<double>(x.plane.rms)) + "\n";
-  text += (x.plane.role == PlaneRole::Face
-               ? "  " + face_words() + ": "
-               : "  chosen as hypothesis " + std::to_string(x.chosen.index) + ": ") +
-          hypothesis_words(h, x.lambda) + "; " + cost_words(h) + "\n";
+  text += "  " + chosen_words(x) + "\n";
   text += x.chosen.pairs.empty() ? "  it pays for no other plane\n"
                                  : "  it pays for others:\n" + pairs_words(x.chosen.pairs);
   text += beaten_words(x) + truth_words(x);

@@ -84,8 +84,6 @@ struct PlaneExplainer::Parts {
 
   /// A face and what it pays for each supporting plane; the overlap with other faces is left out.
   HypothesisReport face_report(const SupportingPlane& face, double& lambda) const {
-    PatchGraph own = scene.graph;
-    for (Patch& patch : own.patches) patch.normal = patch.own_normal;
     std::vector<SupportingPlane> supporting;
     std::vector<std::int32_t> ids;
     for (std::size_t p = 0; p < scene.planes.size(); ++p) {
@@ -93,8 +91,8 @@ struct PlaneExplainer::Parts {
       supporting.push_back(scene.planes[p]);
       ids.push_back(static_cast<std::int32_t>(p));
     }
-    const FaceTerms terms =
-        face_terms(face.plane, own, supporting, scene.patch_plane, scene.options.planes);
+    const FaceTerms terms = face_terms(face.plane, scene.graph.patches, supporting,
+                                       scene.patch_plane, scene.options.planes);
     lambda = terms.lambda;
     HypothesisReport r;
     r.hypothesis.plane = face.plane;

@@ -92,9 +92,19 @@ std::string hypothesis_words(const PlaneHypothesis& h, double lambda) {
          number(-gain);
 }
 
-std::string face_words() {
-  return "a face of an object (planes.face_area): no supporting plane has its patches, and it cuts "
-         "nothing";
+std::string cost_words(const PlaneHypothesis& h, PlaneRole role) {
+  const char* what =
+      role == PlaneRole::Face ? "with what it pays for the room " : "E with it minus E without it ";
+  return what + number(h.flip_cost);
+}
+
+std::string chosen_words(const PlaneExplanation& x) {
+  const bool is_face = x.plane.role == PlaneRole::Face;
+  return (is_face ? "a face of an object (planes.face_area): no supporting plane has its patches, "
+                    "and it cuts nothing: "
+                  : "chosen as hypothesis " + std::to_string(x.chosen.index) + ": ") +
+         hypothesis_words(x.chosen.hypothesis, x.lambda) + "; " +
+         cost_words(x.chosen.hypothesis, x.plane.role);
 }
 
 std::string pair_words(const PairCost& pair) {

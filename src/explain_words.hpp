@@ -31,8 +31,10 @@ std::string flip_words(const Flip& flip);
 std::string patch_words(const PatchReport& report);
 std::string measure_words(const Measure& measure);
 std::string hypothesis_words(const PlaneHypothesis& hypothesis, double lambda);
-/// What it means that a plane is a face.
-std::string face_words();
+/// What a hypothesis costs in all: of a face but for its overlap with other faces.
+std::string cost_words(const PlaneHypothesis& hypothesis, PlaneRole role);
+/// What a plane has for itself: as a hypothesis, or as a face.
+std::string chosen_words(const PlaneExplanation& explanation);
 std::string pair_words(const PairCost& pair);
 /// The numbers of its patches, each after a space.
 std::string patches_words(const Chain& chain);

@@ -57,27 +57,6 @@ std::vector<Plane> selected_planes(const PlaneSelection& selection) {
   throw Error(Error::Kind::Computation, message.str());
 }
 
-// Faces follow the supporting planes, which alone cut (eq. (1)).
-void add_faces(Segmentation& scene, const PlaneOptions& options, HeldPlanes* held) {
-  ObjectFaces faces =
-      find_object_faces(scene.graph, scene.planes, scene.patch_plane, options, held);
-  if (held != nullptr) held->faces = std::move(faces.hypotheses);
-  const auto first = static_cast<std::int32_t>(scene.planes.size());
-  scene.planes.insert(scene.planes.end(), faces.planes.begin(), faces.planes.end());
-  scene.patch_face = std::move(faces.patch_face);
-  for (std::int32_t& face : scene.patch_face) face = face == kNone ? kNone : first + face;
-}
-
-// Planes of one direction share it; then patches on faces get their normals.
-void settle_directions(Segmentation& scene, const Options& options) {
-  std::vector<std::int32_t> patch_plane(scene.graph.patches.size());
-  for (std::size_t i = 0; i < patch_plane.size(); ++i) patch_plane[i] = scene.plane_of(i);
-  share_directions(scene.planes, scene.graph.patches, patch_plane, direction_tolerance(options));
-  measure_margins(scene.patch_plane, scene.graph.patches, scene.planes, options.planes);
-  for (Patch& patch : scene.graph.patches) patch.own_normal = patch.normal;
-  steady_normals(scene.graph.patches, scene.planes, scene.patch_face);
-}
-
 }  // namespace
 
 void label_points(Segmentation& scene, const std::vector<std::int32_t>& point_patch) {
@@ -108,6 +87,26 @@ std::size_t count_planes(const std::vector<SupportingPlane>& planes, PlaneRole r
   return static_cast<std::size_t>(std::ranges::count(planes, role, &SupportingPlane::role));
 }
 
+void add_faces(Segmentation& scene, const PlaneOptions& options, HeldPlanes* held) {
+  ObjectFaces faces =
+      find_object_faces(scene.graph, scene.planes, scene.patch_plane, options, held);
+  if (held != nullptr) held->faces = std::move(faces.hypotheses);
+  const auto first = static_cast<std::int32_t>(scene.planes.size());
+  scene.planes.insert(scene.planes.end(), faces.planes.begin(), faces.planes.end());
+  scene.patch_face = std::move(faces.patch_face);
+  for (std::int32_t& face : scene.patch_face) face = face == kNone ? kNone : first + face;
+}
+
+void settle_planes(Segmentation& scene, const PlaneOptions& options,
+                   const DirectionTolerance& tolerance) {
+  std::vector<std::int32_t> patch_plane(scene.graph.patches.size());
+  for (std::size_t i = 0; i < patch_plane.size(); ++i) patch_plane[i] = scene.plane_of(i);
+  share_directions(scene.planes, scene.graph.patches, patch_plane, tolerance);
+  measure_margins(scene.patch_plane, scene.graph.patches, scene.planes, options);
+  for (Patch& patch : scene.graph.patches) patch.own_normal = patch.normal;
+  steady_normals(scene.graph.patches, scene.planes, scene.patch_face);
+}
+
 void segment_graph(Segmentation& scene, const Options& options, const Progress& progress,
                    HeldPlanes* held) {
   StageTimes& times = scene.times;
@@ -127,11 +126,11 @@ void segment_graph(Segmentation& scene, const Options& options, const Progress& 
   clock.start(times.assignment);
   const std::vector<std::int32_t> assignment = assign_planes(
       scene.graph, selected_planes(scene.selection), options.planes, progress);  // IV-C
-  Support support = refit_planes(scene.graph, scene.selection, assignment, options.planes);
+  Support support = refit_planes(scene.graph, scene.selection, assignment);
   scene.planes = std::move(support.planes);
   scene.patch_plane = std::move(support.patch_plane);
   add_faces(scene, options.planes, held);
-  settle_directions(scene, options);
+  settle_planes(scene, options.planes, direction_tolerance(options));
   clock.start(times.edges);
   scene.edges = classify_edges(scene.graph, scene.patch_plane, options.edges);  // III-B, eq. (1)
   clock.start(times.segments);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "planes/held_planes.hpp"
+#include "planes/shared_directions.hpp"
 #include "planescope/options.hpp"
 #include "planescope/pipeline.hpp"
 
@@ -16,6 +17,17 @@ namespace planescope {
 /// search goes on from it, and its planes become those of this run. Null: from nothing.
 void segment_graph(Segmentation& scene, const Options& options, const Progress& progress = {},
                    HeldPlanes* held = nullptr);
+
+// Stages of segment_graph().
+
+/// Finds the faces: they come behind the supporting planes, which alone cut (eq. (1)).
+/// \param held as above.
+void add_faces(Segmentation& scene, const PlaneOptions& options, HeldPlanes* held = nullptr);
+
+/// Planes of one direction share it; then margins are measured, and patches on faces get their
+/// normals.
+void settle_planes(Segmentation& scene, const PlaneOptions& options,
+                   const DirectionTolerance& tolerance);
 
 /// What holds for a patch holds for its points: fills point_label and point_plane, and the counts
 /// of points of segments and planes. \param point_patch per point: the patch that it is labelled

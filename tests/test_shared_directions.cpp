@@ -43,7 +43,7 @@ class Rectangles {
       selection.selected.push_back(static_cast<std::uint32_t>(p));
       selection.hypotheses.push_back({.plane = {truth[p], 0}});
     }
-    Support support = refit_planes(graph_, selection, assignment_, {});
+    Support support = refit_planes(graph_, selection, assignment_);
     planes.resize(truth.size());
     for (const SupportingPlane& plane : support.planes) {
       planes[plane.hypothesis] = plane;

@@ -86,6 +86,7 @@ void get_colors(io::StateReader& from, const Mask& mask, Block& block) {
     from.require(next + 3 <= colors.size(), "a block with too few colours");
     for (std::uint16_t& channel : block.color[v]) channel = colors[next++];
   }
+  from.require(next == colors.size(), "a block with too many colours");
 }
 
 void get_block(io::StateReader& from, std::uint32_t frames, bool colored,

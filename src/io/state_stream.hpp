@@ -104,7 +104,6 @@ class StateReader {
 
  private:
   void bytes(void* data, std::size_t size);
-  std::uint64_t offset() const;
 
   std::istream& from_;
   std::string file_;

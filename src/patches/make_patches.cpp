@@ -11,10 +11,10 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
+#include "patches/creases.hpp"
 #include "patches/growth.hpp"
 #include "patches/moments.hpp"
 #include "patches/orientation.hpp"
-#include "patches/point_borders.hpp"
 #include "patches/range_warp.hpp"
 #include "patches/voxel_grid.hpp"
 #include "patches/voxel_normals.hpp"

@@ -105,9 +105,9 @@ Support refit_pieces(const PatchGraph& graph, const std::vector<Plane>& planes,
     selection.selected.push_back(static_cast<std::uint32_t>(selection.hypotheses.size()));
     selection.hypotheses.push_back({.plane = planes[static_cast<std::size_t>(plane)]});
   }
-  const Support large = refit_planes(graph, selection, numbers_by_patch(pieces), options);
+  const Support large = refit_planes(graph, selection, numbers_by_patch(pieces));
   adopt_scraps(pieces.list, large.planes, source, 2 * options.sigma);
-  return refit_planes(graph, selection, numbers_by_patch(pieces), options);
+  return refit_planes(graph, selection, numbers_by_patch(pieces));
 }
 
 }  // namespace planescope

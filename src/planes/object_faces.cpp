@@ -126,18 +126,25 @@ ObjectFaces find_object_faces(const PatchGraph& graph,
   return result;
 }
 
-FaceTerms face_terms(const Plane& face, const PatchGraph& graph,
+FaceTerms face_terms(const Plane& face, const std::vector<Patch>& patches,
                      const std::vector<SupportingPlane>& supporting,
                      const std::vector<PatchPlane>& patch_plane, const PlaneOptions& options) {
-  const FreePatches part = find_free_patches(graph, patch_plane);
-  const PatchIndex index(part.graph.patches);
+  std::vector<Patch> free;
+  std::vector<std::uint32_t> ids;
+  for (std::uint32_t i = 0; i < patches.size(); ++i) {
+    if (patch_plane[i].plane != kNone) continue;
+    ids.push_back(i);
+    free.push_back(patches[i]);
+    free.back().normal = patches[i].own_normal;
+  }
+  const PatchIndex index(free);
   const PlaneOptions small = face_options(options);
   FaceTerms terms;
-  terms.lambda = face_lambda(graph.patches, options);
+  terms.lambda = face_lambda(patches, options);
   const Bits inliers = index.inliers({.plane = face,
                                       .half_width = static_cast<float>(small.sigma),
                                       .gate = static_cast<float>(small.normal_gate)});
-  for_each(inliers, [&](std::size_t i) { terms.inliers.push_back(part.ids[index.patch(i)]); });
+  for_each(inliers, [&](std::size_t i) { terms.inliers.push_back(ids[index.patch(i)]); });
   std::ranges::sort(terms.inliers);
   terms.data_cost = data_cost(static_cast<double>(terms.inliers.size()), terms.lambda);
   terms.angle_cost = angle_costs(face, supporting, options);

@@ -40,8 +40,8 @@ struct FaceTerms {
   std::vector<double> angle_cost;      ///< per supporting plane: its share of what the face pays
 };
 
-/// \param graph with the patches' own normals.
-FaceTerms face_terms(const Plane& face, const PatchGraph& graph,
+/// By the patches' own normals, as the selection saw them.
+FaceTerms face_terms(const Plane& face, const std::vector<Patch>& patches,
                      const std::vector<SupportingPlane>& supporting,
                      const std::vector<PatchPlane>& patch_plane, const PlaneOptions& options);
 

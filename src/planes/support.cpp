@@ -64,7 +64,7 @@ float margin(const Patch& patch, std::int32_t plane, std::span<const SupportingP
 }  // namespace
 
 Support refit_planes(const PatchGraph& graph, const PlaneSelection& selection,
-                     const std::vector<std::int32_t>& assignment, const PlaneOptions& options) {
+                     const std::vector<std::int32_t>& assignment) {
   const std::size_t count = selection.selected.size();
   std::vector<Members> members(count);
   for (std::size_t i = 0; i < assignment.size(); ++i) {
@@ -103,7 +103,6 @@ Support refit_planes(const PatchGraph& graph, const PlaneSelection& selection,
     support.planes[p].rms =
         static_cast<float>(std::sqrt(squares[p] / double(support.planes[p].area)));
   }
-  measure_margins(support.patch_plane, graph.patches, support.planes, options);
   return support;
 }
 

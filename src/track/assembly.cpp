@@ -97,12 +97,10 @@ void MapTracker::State::complete() {
 
 /// How many points of each segment were of which object.
 std::vector<track::Overlap> MapTracker::State::overlaps() {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, track::Overlap> sums;
+  track::OverlapSums sums;
   std::size_t patch = 0;
   const auto add = [&](const track::Vote& vote) {
-    const std::uint32_t segment = scene.segments.patch_label[patch] - 1;
-    track::Overlap& sum = sums[{segment, vote.object}];
-    sum = {segment, vote.object, sum.points + vote.points, sum.steady + vote.steady};
+    sums.add({scene.segments.patch_label[patch] - 1, vote.object, vote.points, vote.steady});
   };
   for (auto& [key, tile] : tiles) {
     if (!tile.fresh && tile.patched && tile.steady.empty()) {
@@ -116,9 +114,7 @@ std::vector<track::Overlap> MapTracker::State::overlaps() {
       }
     }
   }
-  std::vector<track::Overlap> list;
-  for (const auto& [pair, sum] : sums) list.push_back(sum);
-  return list;
+  return sums.list();
 }
 
 }  // namespace planescope

@@ -73,15 +73,12 @@ LatestMap gather(const std::map<BlockKey, Latest>& tiles, const TrackOptions& op
 
 std::vector<track::Overlap> count_overlaps(const LatestMap& map,
                                            const std::vector<std::uint32_t>& label) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, track::Overlap> sums;
+  track::OverlapSums sums;
   for (std::size_t i = 0; i < label.size(); ++i) {
-    if (map.before[i] == 0 || label[i] == kNoSegment) continue;
-    track::Overlap& sum = sums[{label[i] - 1, map.before[i]}];
-    sum = {label[i] - 1, map.before[i], sum.points + 1, sum.steady + map.steady[i]};
+    if (map.before[i] != 0 && label[i] != kNoSegment)
+      sums.add({label[i] - 1, map.before[i], 1, map.steady[i]});
   }
-  std::vector<track::Overlap> overlaps;
-  for (const auto& [pair, sum] : sums) overlaps.push_back(sum);
-  return overlaps;
+  return sums.list();
 }
 
 }  // namespace

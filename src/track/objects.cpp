@@ -19,6 +19,17 @@ std::vector<Overlap> largest_first(std::vector<Overlap> overlaps) {
 
 }  // namespace
 
+void OverlapSums::add(const Overlap& part) {
+  Overlap& sum = sums_[{part.segment, part.object}];
+  sum = {part.segment, part.object, sum.points + part.points, sum.steady + part.steady};
+}
+
+std::vector<Overlap> OverlapSums::list() const {
+  std::vector<Overlap> all;
+  for (const auto& [pair, sum] : sums_) all.push_back(sum);
+  return all;
+}
+
 std::vector<std::uint32_t> ObjectBook::match(const std::vector<Segment>& segments,
                                              const std::vector<Overlap>& overlaps,
                                              TrackStep& step) {

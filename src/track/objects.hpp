@@ -20,6 +20,16 @@ struct Overlap {
   std::uint32_t steady = 0;  ///< of the points: in pieces that were given often
 };
 
+/// Adds up overlaps.
+class OverlapSums {
+ public:
+  void add(const Overlap& part);
+  std::vector<Overlap> list() const;  ///< by segment, then object
+
+ private:
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Overlap> sums_;
+};
+
 /// The numbers that objects keep.
 class ObjectBook {
  public:

@@ -20,17 +20,8 @@ void renew(Tile& tile, const BlockKey& key, const TrackOptions& options, double 
     tile.memory = tile.patched ? track::remember(*tile.patched, tile.objects, place_size)
                                : track::PlaceMemory();
   }
-  PointCloud cloud;
-  cloud.positions.reserve(tile.points);
-  cloud.normals.reserve(tile.points);
-  std::vector<std::pair<BlockKey, std::uint32_t>> pieces;
-  for (const auto& [name, piece] : tile.pieces) {
-    track::append(piece.points, cloud);
-    pieces.emplace_back(name, static_cast<std::uint32_t>(piece.points.size()));
-  }
-  cloud.width = static_cast<std::uint32_t>(cloud.size());
   tile.patched = std::make_shared<const PatchedTile>(track::patch_tile(
-      std::move(cloud), std::move(pieces), key, options.tile_size, options.engine.patches));
+      track::gather(tile.pieces), key, options.tile_size, options.engine.patches));
   tile.votes = track::vote(tile, place_size, options.steady_after);
   tile.steady.clear();
   tile.objects.clear();

@@ -106,11 +106,23 @@ Eigen::Vector3d mean_of(const PointCloud& cloud) {
   return sum / static_cast<double>(std::max<std::size_t>(1, count));
 }
 
-PatchedTile patch_tile(PointCloud cloud, std::vector<std::pair<BlockKey, std::uint32_t>> pieces,
-                       const BlockKey& key, double tile_size, const PatchOptions& options) {
-  PatchedTile tile;
-  tile.cloud = std::move(cloud);
-  tile.pieces = std::move(pieces);
+TilePoints gather(const std::map<BlockKey, Piece>& pieces) {
+  TilePoints all;
+  std::size_t count = 0;
+  for (const auto& [key, piece] : pieces) count += piece.points.size();
+  all.cloud.positions.reserve(count);
+  all.cloud.normals.reserve(count);
+  for (const auto& [key, piece] : pieces) {
+    append(piece.points, all.cloud);
+    all.pieces.emplace_back(key, static_cast<std::uint32_t>(piece.points.size()));
+  }
+  return all;
+}
+
+PatchedTile patch_tile(TilePoints points, const BlockKey& key, double tile_size,
+                       const PatchOptions& options) {
+  PatchedTile tile{std::move(points), {}, {}, {}, {}};
+  tile.cloud.width = static_cast<std::uint32_t>(tile.cloud.size());
   const bool any = std::ranges::any_of(tile.cloud.positions, is_finite);
   if (!any) {
     tile.graph.point_patch.assign(tile.cloud.size(), kNone);

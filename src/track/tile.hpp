@@ -42,19 +42,26 @@ struct Piece {
   std::uint8_t times = 0;                          ///< it was given, at most 255
 };
 
-/// A tile's surface as it was patched.
-struct PatchedTile {
-  PointCloud cloud;                                        ///< of its pieces, by their keys
+/// The points of pieces, one after the other.
+struct TilePoints {
+  PointCloud cloud;
   std::vector<std::pair<BlockKey, std::uint32_t>> pieces;  ///< with their number of points
-  PatchGraph graph;                                        ///< of the cloud
+};
+
+/// By the pieces' keys.
+TilePoints gather(const std::map<BlockKey, Piece>& pieces);
+
+/// A tile's surface as it was patched.
+struct PatchedTile : TilePoints {
+  PatchGraph graph;  ///< of the cloud
   /// Voxels at the tile's faces, with the patch that most of their points are in; sorted.
   std::vector<std::pair<VoxelKey, std::uint32_t>> rim;
   VoxelKey rim_lower{}, rim_upper{};  ///< of the rim's voxels along each axis
 };
 
-/// Patches a cloud. \param tile_size,key place of the tile.
-PatchedTile patch_tile(PointCloud cloud, std::vector<std::pair<BlockKey, std::uint32_t>> pieces,
-                       const BlockKey& key, double tile_size, const PatchOptions& options);
+/// Patches points. \param tile_size,key place of the tile.
+PatchedTile patch_tile(TilePoints points, const BlockKey& key, double tile_size,
+                       const PatchOptions& options);
 
 /// Points of one patch that were of one object before.
 struct Vote {

@@ -10,7 +10,6 @@
 #include "planes/energy.hpp"
 #include "planes/hypotheses.hpp"
 #include "planes/labelling.hpp"
-#include "planes/object_faces.hpp"
 #include "planes/shared_directions.hpp"
 #include "planes/support.hpp"
 #include "segment_graph.hpp"
@@ -67,21 +66,6 @@ std::vector<std::int32_t> assign_as_printed(const PatchGraph& graph,
   return relax_labels(problem, cheapest_labels(problem));
 }
 
-void add_faces(Segmentation& scene, const PlaneOptions& options) {
-  const ObjectFaces faces =
-      find_object_faces(scene.graph, scene.planes, scene.patch_plane, options);
-  const auto first = static_cast<std::int32_t>(scene.planes.size());
-  scene.planes.insert(scene.planes.end(), faces.planes.begin(), faces.planes.end());
-  scene.patch_face = faces.patch_face;
-  for (std::int32_t& face : scene.patch_face) face = face == kNone ? kNone : first + face;
-}
-
-void share(Segmentation& scene, const Options& options) {
-  std::vector<std::int32_t> patch_plane(scene.graph.patches.size());
-  for (std::size_t i = 0; i < patch_plane.size(); ++i) patch_plane[i] = scene.plane_of(i);
-  share_directions(scene.planes, scene.graph.patches, patch_plane, direction_tolerance(options));
-}
-
 // The stages of segment_graph(), but for those parts.
 void segment_without(Segmentation& scene, const Options& options, const Parts& parts) {
   scene.selection = parts.printed_data_cost ? select_as_printed(scene.graph, options.planes)
@@ -92,7 +76,7 @@ void segment_without(Segmentation& scene, const Options& options, const Parts& p
   const std::vector<std::int32_t> assignment =
       parts.printed_assignment ? assign_as_printed(scene.graph, planes, options.planes)
                                : assign_planes(scene.graph, planes, options.planes);
-  Support support = refit_planes(scene.graph, scene.selection, assignment, options.planes);
+  Support support = refit_planes(scene.graph, scene.selection, assignment);
   scene.planes = std::move(support.planes);
   scene.patch_plane = std::move(support.patch_plane);
   if (!parts.refit) {
@@ -100,8 +84,9 @@ void segment_without(Segmentation& scene, const Options& options, const Parts& p
       plane.plane = scene.selection.hypotheses[plane.hypothesis].plane;
   }
   add_faces(scene, options.planes);
-  if (parts.shared_directions) share(scene, options);
-  steady_normals(scene.graph.patches, scene.planes, scene.patch_face);
+  DirectionTolerance tolerance = direction_tolerance(options);
+  if (!parts.shared_directions) tolerance.angle = 0;
+  settle_planes(scene, options.planes, tolerance);
   scene.edges = classify_edges(scene.graph, scene.patch_plane, options.edges);
   scene.segments = connect_segments(scene.graph, scene.edges, scene.patch_plane, options.segments);
 }

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the planescope authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <cmath>
+#include <array>
+#include <string>
+#include <vector>
 
 #include "fuzz_target.hpp"
 #include "planescope/image.hpp"
@@ -11,74 +13,71 @@
 namespace planescope::fuzzing {
 namespace {
 
-constexpr std::string_view kPose = "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n";
+constexpr const char* kPose = "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n";
 
-/// A sequence of one frame in each layout.
-struct Folders {
-  ScratchFolder tum, redwood, frames;
-
-  Folders() {
-    const DepthImage depth{4, 3, std::vector<std::uint16_t>(12, 1000)};
-    std::filesystem::create_directory(redwood.path() / "depth");
-    write_depth_image(depth, tum.path() / "1.png");
-    write_depth_image(depth, redwood.path() / "depth" / "000000.png");
-    write_depth_image(depth, frames.path() / "frame-000000.depth.png");
-    repair();
-  }
-  void repair() const {
-    tum.write("depth.txt", "1.0 1.png\n");
-    tum.write("groundtruth.txt", "1.0 0 0 0 0 0 0 1\n");
-    redwood.write("trajectory.log", "0 0 1\n" + std::string(kPose));
-    frames.write("frame-000000.pose.txt", kPose);
-    for (const ScratchFolder* folder : {&tum, &redwood, &frames}) {
-      for (const char* camera : {"camera.txt", "camera_intrinsic.json", "info.txt"})
-        std::filesystem::remove(folder->path() / camera);
-    }
-  }
+/// A file of a sequence, and what it holds where it is sound.
+struct SequenceFile {
+  char kind;
+  std::size_t folder;
+  const char* name;
+  std::string sound;
 };
 
-void open(const ScratchFolder& folder) {
-  const Sequence sequence(folder.path());
-  for (std::size_t i = 0; i < sequence.size(); ++i) {
-    if (!sequence.info(i).pose.matrix().allFinite()) std::abort();
-    sequence.read(i);
+/// A sequence of one frame in each layout.
+class Sequences {
+ public:
+  Sequences() {
+    const DepthImage depth{4, 3, std::vector<std::uint16_t>(12, 1000)};
+    std::filesystem::create_directory(folders_[1].path() / "depth");
+    write_depth_image(depth, folders_[0].path() / "1.png");
+    write_depth_image(depth, folders_[1].path() / "depth" / "000000.png");
+    write_depth_image(depth, folders_[2].path() / "frame-000000.depth.png");
+    for (const SequenceFile& file : files_) repair(file);
+    for (const ScratchFolder& folder : folders_) open(folder);  // throws: they are not sound
   }
-  sequence.up();
-}
 
-void read_as(char kind, const Folders& folders, std::string_view bytes) {
-  switch (kind) {
-    case 'd':
-      folders.tum.write("depth.txt", bytes);
-      return open(folders.tum);
-    case 'g':
-      folders.tum.write("groundtruth.txt", bytes);
-      return open(folders.tum);
-    case 'l':
-      folders.redwood.write("trajectory.log", bytes);
-      return open(folders.redwood);
-    case 'p':
-      folders.frames.write("frame-000000.pose.txt", bytes);
-      return open(folders.frames);
-    case 'j':
-      folders.redwood.write("camera_intrinsic.json", bytes);
-      return open(folders.redwood);
-    case 'i':
-      folders.frames.write("info.txt", bytes);
-      return open(folders.frames);
-    default:
-      folders.tum.write("camera.txt", bytes);
-      open(folders.tum);
+  /// Opens a sequence of which one file holds these bytes.
+  void open_with(char kind, std::string_view bytes) {
+    for (const SequenceFile& file : files_) {
+      if (file.kind != kind) continue;
+      folders_[file.folder].write(file.name, bytes);
+      refused_or_taken([&] { open(folders_[file.folder]); });
+      repair(file);
+    }
   }
-}
+
+ private:
+  static void open(const ScratchFolder& folder) {
+    const Sequence sequence(folder.path());
+    for (std::size_t i = 0; i < sequence.size(); ++i) {
+      if (!sequence.info(i).pose.matrix().allFinite()) std::abort();
+      sequence.read(i);
+    }
+    sequence.up();
+  }
+
+  void repair(const SequenceFile& file) { folders_[file.folder].write(file.name, file.sound); }
+
+  std::array<ScratchFolder, 3> folders_;  // TUM, Redwood, frames
+  const std::vector<SequenceFile> files_ = {
+      {'d', 0, "depth.txt", "1.0 1.png\n"},
+      {'g', 0, "groundtruth.txt", "1.0 0 0 0 0 0 0 1\n"},
+      {'c', 0, "camera.txt", "4 3 3 3 1.5 1\n"},
+      {'l', 1, "trajectory.log", std::string("0 0 1\n") + kPose},
+      {'j', 1, "camera_intrinsic.json",
+       R"({"width": 4, "height": 3, "intrinsic_matrix": [3, 0, 0, 0, 3, 0, 1.5, 1, 1]})"},
+      {'p', 2, "frame-000000.pose.txt", kPose},
+      {'i', 2, "info.txt",
+       "m_depthWidth = 4\nm_depthHeight = 3\nm_depthShift = 1000\n"
+       "m_calibrationDepthIntrinsic = 3 0 1.5 0 0 3 1 0 0 0 1 0 0 0 0 1\n"},
+  };
+};
 
 }  // namespace
 
 void fuzz(std::string_view bytes) {
-  static const Folders folders;
-  if (bytes.empty()) return;
-  refused_or_taken([&] { read_as(bytes.front(), folders, bytes.substr(1)); });
-  folders.repair();
+  static Sequences sequences;
+  if (!bytes.empty()) sequences.open_with(bytes.front(), bytes.substr(1));
 }
 
 }  // namespace planescope::fuzzing

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "patches/point_borders.hpp"
+#include "patches/creases.hpp"
 
 namespace planescope {
 namespace {
@@ -37,7 +37,7 @@ struct Crease {
   }
 };
 
-TEST(PointBorders, GoToTheSurfaceThatTheyLieNearestTo) {
+TEST(Creases, GoToTheSurfaceThatTheyLieNearestTo) {
   // By hand, 0.9 for the patch that has the point, 0.3 for what lies beyond a rim:
   // (0.09, 0, 0.05): floor 0.9 * 0.05, wall 0.01: moves. (0.05, 0, 0.001): stays.
   // (0.09, 0, 0.011): floor 0.0099, wall 0.01: a near tie stays.
@@ -50,19 +50,19 @@ TEST(PointBorders, GoToTheSurfaceThatTheyLieNearestTo) {
   EXPECT_EQ(crease.graph.patches[1].point_count, 3u);
 }
 
-TEST(PointBorders, WithoutACreaseNothingMoves) {
+TEST(Creases, WithoutACreaseNothingMoves) {
   Crease crease({V(0.09f, 0, 0.05f), V(0.02f, 0, 0)});
   crease.graph.patches[1].normal = V(std::sin(0.25f), 0, std::cos(0.25f));  // 14.3 deg
   EXPECT_EQ(crease.cut(), (std::vector<std::int32_t>{0, 1}));
 }
 
-TEST(PointBorders, NoPatchLosesItsLastPoints) {
+TEST(Creases, NoPatchLosesItsLastPoints) {
   Crease crease({V(0.01f, 0, 0), V(0.02f, 0, 0), V(0.03f, 0, 0)});
   EXPECT_EQ(crease.cut(), (std::vector<std::int32_t>{0, 0, 1}));
   EXPECT_EQ(crease.graph.patches[1].point_count, 1u);
 }
 
-TEST(PointBorders, PointsInNoPatchStayInNone) {
+TEST(Creases, PointsInNoPatchStayInNone) {
   Crease crease({V(0.1f, 0, 0.1f), V(0.05f, 0, 0), V(0.1f, 0, 0.1f)});
   crease.graph.point_patch[0] = kNone;
   EXPECT_EQ(crease.cut(), (std::vector<std::int32_t>{kNone, 0, 1}));
@@ -70,7 +70,7 @@ TEST(PointBorders, PointsInNoPatchStayInNone) {
 
 // The three faces of a corner, sampled off the grid of voxels: of a patch that holds points of two
 // faces, all but its main one's are counted. Voxels alone leave 7 %.
-TEST(PointBorders, AlongTheEdgesOfACornerPatchesHoldOneFace) {
+TEST(Creases, AlongTheEdgesOfACornerPatchesHoldOneFace) {
   PointCloud cloud;
   std::vector<int> face;
   constexpr float kStep = 0.005f;

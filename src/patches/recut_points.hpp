@@ -3,11 +3,16 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
+#include <span>
+#include <vector>
 
 #include "planescope/patches.hpp"
 
+/// \file Voxels hold points of both sides of a border. Here points choose between adjacent patches
+/// by the surfaces themselves.
 namespace planescope {
 
 /// A patch as points near its border see it: a disc of its area, on its plane.
@@ -33,5 +38,23 @@ struct PatchDisc {
     return beside > radius * radius ? weighted + along * (std::sqrt(beside) - radius) : weighted;
   }
 };
+
+/// What distances weigh.
+struct RecutWeights {
+  float along = 0;  ///< beyond a patch's rim, against above its plane
+  float stay = 1;   ///< to the patch that has the point, against its rivals: near ties stay
+};
+
+/// Points of patches that have rivals go to the nearest of all these. No group of patches loses its
+/// last points: it gets back what it had.
+/// \param point_patch per point of the cloud: its patch, or kNone, which stays.
+/// \param discs per patch. \param rivals per patch: those that may take its points.
+/// \param group per patch: patches of one group stand for each other; below the number of patches.
+/// \returns point_patch anew.
+std::vector<std::int32_t> recut_points(const PointCloud& cloud,
+                                       std::vector<std::int32_t> point_patch,
+                                       const std::vector<PatchDisc>& discs,
+                                       const NeighbourTable& rivals, const RecutWeights& weights,
+                                       std::span<const std::uint32_t> group);
 
 }  // namespace planescope
