@@ -20,10 +20,11 @@ std::vector<PatchDisc> make_discs(const Segmentation& scene) {
     const std::int32_t plane = scene.plane_of(i);
     discs[i] = PatchDisc::of(patch);
     if (plane == kNone) continue;
-    const Plane& fit = scene.planes[static_cast<std::size_t>(plane)].plane;
-    discs[i].normal = fit.normal;
-    discs[i].center -= fit.signed_distance(patch.centroid) * fit.normal;
+    const SupportingPlane& on = scene.planes[static_cast<std::size_t>(plane)];
+    discs[i].normal = on.plane.normal;
+    discs[i].center -= on.plane.signed_distance(patch.centroid) * on.plane.normal;
     discs[i].weight = kOnPlane;
+    discs[i].noise = on.rms;  // else the borders of noisy walls sprinkle
   }
   return discs;
 }

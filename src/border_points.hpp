@@ -12,10 +12,10 @@ namespace planescope {
 /// Cuts along surfaces instead of along voxels: a point of a patch that borders on another segment
 /// goes to that one of the two patches whose surface it lies nearer to: the plane or face that the
 /// patch is on, else its own plane. What lies beside a patch, rather than above it, counts a tenth;
-/// near ties stay. Points move between adjacent patches only, and no segment loses its last ones:
-/// patches, planes, edges and segments stand.
-/// \param scene all but the labels of points. \param surface the cloud that patches were made of.
-/// \returns per point: the patch that it is labelled by, or kNone.
+/// near ties stay, and points on a plane within its rms. Points move between adjacent patches only,
+/// and no segment loses its last ones: patches, planes, edges and segments stand. \param scene all
+/// but the labels of points. \param surface the cloud that patches were made of. \returns per
+/// point: the patch that it is labelled by, or kNone.
 std::vector<std::int32_t> recut_borders(const Segmentation& scene, const PointCloud& surface);
 
 }  // namespace planescope

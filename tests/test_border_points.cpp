@@ -44,6 +44,16 @@ TEST(BorderPoints, GoToTheSurfaceThatTheyLieNearerTo) {
   EXPECT_EQ(two.recut(), (std::vector<std::int32_t>{1, 0, 0, 0}));
 }
 
+TEST(BorderPoints, LeaveAPlaneOnlyBeyondItsNoise) {
+  // (0.09, 0, 0.05) as above: floor 0.033, wall 0.01. With an rms of 22 mm it goes, of 25 mm it
+  // stays; the wall's point, on no plane, goes to the floor whatever the floor's noise.
+  TwoPatches two({V(0.09f, 0, 0.05f), V(0.02f, 0, 0)});
+  two.scene.planes[0].rms = 0.022f;
+  EXPECT_EQ(two.recut(), (std::vector<std::int32_t>{1, 0}));
+  two.scene.planes[0].rms = 0.025f;
+  EXPECT_EQ(two.recut()[0], 0);
+}
+
 TEST(BorderPoints, WhatLiesBesideAPatchCountsATenth) {
   // (0.1, 0.5, 0.02): on the wall's plane but 0.41 m beside its rim: 0.041, the floor has
   // 0.95 * (0.014 + 0.041) = 0.052: moves; one at half the height stays.

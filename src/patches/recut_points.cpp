@@ -42,7 +42,7 @@ std::vector<std::int32_t> recut_points(const PointCloud& cloud,
     const auto own = static_cast<std::size_t>(before[i]);
     if (rivals.offsets[own] == rivals.offsets[own + 1]) return;
     const Eigen::Vector3f& p = cloud.positions[i];
-    float least = weights.stay * discs[own].distance(p, weights.along);
+    float least = weights.stay * discs[own].distance(p, weights.along) - discs[own].noise;
     for (std::size_t k = rivals.offsets[own]; k < rivals.offsets[own + 1]; ++k) {
       const std::uint32_t rival = rivals.neighbours[k];
       const float distance = discs[rival].distance(p, weights.along, least);

@@ -20,10 +20,11 @@ struct PatchDisc {
   Eigen::Vector3f normal, center;
   float radius = 0;  ///< [m]
   float weight = 1;  ///< [1] of the distance above the plane
+  float noise = 0;   ///< [m] how much nearer to another patch a point of this one has to lie
 
   /// \param patch its normal and centroid give the plane.
   static PatchDisc of(const Patch& patch) {
-    return {patch.normal, patch.centroid, std::sqrt(patch.area / std::numbers::pi_v<float>), 1.0f};
+    return {patch.normal, patch.centroid, std::sqrt(patch.area / std::numbers::pi_v<float>)};
   }
 
   /// [m] weighted distance above the plane, and `along` times that beyond the rim; where that is
