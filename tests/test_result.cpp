@@ -11,73 +11,20 @@
 
 #include "fixtures.hpp"
 #include "planescope/error.hpp"
+#include "result_fixtures.hpp"
 
 namespace planescope {
 namespace {
 
 using nlohmann::json;
 using testing::read_bytes;
+using testing::refusal;
+using testing::small_cloud;
+using testing::small_scene;
 using testing::TemporaryFolder;
 using testing::write_bytes;
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-
-/// Six points: three on a floor patch, two on a box patch, one without a return.
-PointCloud small_cloud() {
-  PointCloud cloud;
-  cloud.positions = {{0, 0, 0},           {1, 0, 0},           {0, 1, 0},
-                     {0.5f, 0.5f, 0.25f}, {0.1f, 0.5f, 0.25f}, {kNan, kNan, kNan}};
-  cloud.colors = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {250, 251, 252}, {253, 254, 255}, {0, 0, 0}};
-  cloud.labels = {1, 1, 1, 2, 2, 0};
-  cloud.width = 3;
-  cloud.height = 2;
-  cloud.sensor = Eigen::Vector3f(0, 0, 2);
-  return cloud;
-}
-
-/// What segment() could have made of it, by hand.
-Segmentation small_scene() {
-  Segmentation scene;
-  scene.options = Options::tabletop();
-  scene.graph.patches.resize(2);
-  scene.graph.point_patch = {0, 0, 0, 1, 1, kNone};
-  SupportingPlane floor;
-  floor.patch_count = 1;
-  floor.point_count = 3;
-  floor.area = 0.1f;
-  scene.planes = {floor};
-  scene.patch_plane = {{0, 1.0f}, {kNone, 1.0f}};
-  scene.selection.lambda = 2;
-  scene.selection.proposed = 9;
-  scene.selection.hypotheses.resize(3);
-  for (PlaneHypothesis& h : scene.selection.hypotheses) h.inlier_count = 3;
-  scene.selection.hypotheses[0].selected = true;
-  scene.selection.hypotheses[1].blocked_by = 0;
-  scene.selection.hypotheses[1].blocked_angle_cost = 0.75;
-  scene.selection.hypotheses[2].inlier_count = 2;  // not more than lambda: not reported
-  scene.selection.selected = {0};
-  Edge edge;
-  edge.second = 1;
-  edge.rule = EdgeRule::PlaneBoundary;
-  scene.edges = {edge};
-  scene.segments.segments = {{1, 0, 1, 3, 0.1f, {0.5f, 0.5f, 0}},
-                             {2, kNone, 1, 2, 0.05f, {0.3f, 0.5f, 0.25f}}};
-  scene.segments.patch_label = {1, 2};
-  scene.point_label = {1, 1, 1, 2, 2, kNoSegment};
-  scene.point_plane = {0, 0, 0, kNone, kNone, kNone};
-  return scene;
-}
-
-/// The message with which the folder is refused.
-std::string refusal(const std::filesystem::path& folder) {
-  try {
-    load_result(folder);
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), Error::Kind::Input);
-    return error.what();
-  }
-  return {};
-}
 
 bool same_bits(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
   return std::memcmp(a.data(), b.data(), 3 * sizeof(float)) == 0;
@@ -234,144 +181,6 @@ TEST(Result, AFolderThatIsAFileIsRefused) {
   EXPECT_THROW(save(small_scene(), small_cloud(), folder / "file"), Error);
   EXPECT_EQ(read_bytes(folder / "file"), "x");
   EXPECT_NE(refusal(folder / "file").find("not a folder"), std::string::npos);
-}
-
-/// Each edit of result.json that load_result() must notice: a JSON pointer and its new value.
-TEST(LoadResult, RefusesEveryEditThatMatters) {
-  const std::vector<std::pair<std::string, json>> edits = {
-      {"/schema", 99},
-      {"/schema", nullptr},
-      {"/method", 1},
-      {"/method/name", 1},
-      {"/method/lacks", json::array({"wheels"})},
-      {"/method/settings", json::array()},
-      {"/input", 1},
-      {"/input/width", -3},
-      {"/input/width", 4},
-      {"/input/width", 3.5},
-      {"/input/points", 5},
-      {"/input/height", 4000000000u},
-      {"/input/has_color", "yes"},
-      {"/input/origin", json::array({1, 2})},
-      {"/input/origin/0", 1e300},
-      {"/options/patches.voxel_size", 0},
-      {"/options", json::object()},
-      {"/up", json::array({0, 0, 2})},
-      {"/up/0", nullptr},
-      {"/patches", 1},
-      {"/planes", json::array()},
-      {"/planes/0/id", 1},
-      {"/planes/0/normal", json::array({1, 1, 1})},
-      {"/planes/0/distance", "near"},
-      {"/segments/0/label", 2},
-      {"/segments/0/plane", 1},
-      {"/segments/1/plane", -1},
-      {"/segments", json::object()},
-      {"/edges/by_rule/concave", -1},
-      {"/edges/by_rule", nullptr},
-      {"/points_hash", "0000000000000000"}};
-  const TemporaryFolder folder;
-  save(small_scene(), small_cloud(), folder.path());
-  const json good = json::parse(read_bytes(folder / "result.json"));
-  ASSERT_EQ(refusal(folder.path()), "");
-  for (const auto& [pointer, value] : edits) {
-    json bad = good;
-    ASSERT_TRUE(bad.contains(json::json_pointer(pointer))) << pointer;
-    bad[json::json_pointer(pointer)] = value;
-    write_bytes(folder / "result.json", bad.dump());
-    const std::string message = refusal(folder.path());
-    EXPECT_NE(message, "") << pointer << " = " << value;
-    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-  }
-}
-
-TEST(LoadResult, RefusesPointsThatDoNotBelong) {
-  const TemporaryFolder folder;
-  save(small_scene(), small_cloud(), folder.path());
-  const std::string points = read_bytes(folder / "points.pcd");
-  const std::size_t data = points.find("DATA binary\n") + 12;
-  const auto refused = [&](const std::string& bytes) {
-    write_bytes(folder / "points.pcd", bytes);
-    return refusal(folder.path()) != "";
-  };
-  EXPECT_FALSE(refused(points));
-  EXPECT_TRUE(refused(points.substr(0, points.size() - 1)));
-  EXPECT_TRUE(refused(points + "x"));
-  EXPECT_TRUE(refused(""));
-  EXPECT_TRUE(refused("x" + points.substr(1)));
-  std::string moved = points;
-  moved[data + 2] = 1;  // another coordinate: everything is in range, but the hash is another
-  EXPECT_TRUE(refused(moved));
-}
-
-TEST(LoadResult, RefusesIndicesThatAreNotThere) {
-  const TemporaryFolder folder;
-  save(small_scene(), small_cloud(), folder.path());
-  const std::string points = read_bytes(folder / "points.pcd");
-  json all = json::parse(read_bytes(folder / "result.json"));
-  const std::size_t data = points.find("DATA binary\n") + 12;
-  for (const std::size_t column : {16u, 20u, 24u}) {  // label, plane, patch of the first point
-    std::string bytes = points;
-    bytes[data + column] = 3;
-    write_bytes(folder / "points.pcd", bytes);
-    all["points_hash"] = hash_file(folder / "points.pcd");  // whoever edits may know of the hash
-    write_bytes(folder / "result.json", all.dump());
-    EXPECT_NE(refusal(folder.path()).find("point 0 has a label"), std::string::npos) << column;
-  }
-  std::string labelled = points;
-  labelled[data + 5 * 28 + 16] = 1;  // the point without a return
-  write_bytes(folder / "points.pcd", labelled);
-  all["points_hash"] = hash_file(folder / "points.pcd");
-  write_bytes(folder / "result.json", all.dump());
-  EXPECT_NE(refusal(folder.path()).find("point 5 has a label"), std::string::npos);
-}
-
-TEST(LoadResult, RefusesWhatIsMissingOrNotJson) {
-  const TemporaryFolder folder;
-  EXPECT_NE(refusal(folder / "nowhere").find("not a folder"), std::string::npos);
-  EXPECT_NE(refusal(folder.path()).find("result.json"), std::string::npos);
-  write_bytes(folder / "result.json", "{\"schema\": 1,");
-  EXPECT_NE(refusal(folder.path()).find("byte 14"), std::string::npos);
-  save(small_scene(), small_cloud(), folder.path());
-  std::filesystem::remove(folder / "points.pcd");
-  EXPECT_NE(refusal(folder.path()).find("points.pcd"), std::string::npos);
-}
-
-/// One step of FNV-1a, its prime 2^40 + 0x1b3 = 2^40 + 2^8 + 2^7 + 2^5 + 2^4 + 3 taken bit by bit.
-std::uint64_t fnv(std::uint64_t state, std::uint64_t word) {
-  const std::uint64_t x = state ^ word;
-  return (x << 40) + (x << 8) + (x << 7) + (x << 5) + (x << 4) + x * 3;
-}
-
-TEST(HashFile, IsFnv1aInEightByteSteps) {
-  const TemporaryFolder folder;
-  const auto hash = [&](const std::string& bytes) {
-    write_bytes(folder / "f", bytes);
-    return hash_file(folder / "f");
-  };
-  const auto hex = [](std::uint64_t value) {
-    char text[17];
-    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
-    return std::string(text);
-  };
-  EXPECT_EQ(hash(""), "cbf29ce484222325");   // FNV's offset basis
-  EXPECT_EQ(hash("a"), "af63dc4c8601ec8c");  // published FNV-1a test vector
-  EXPECT_EQ(hash("foobar"), "85944171f73967e8");
-  const std::uint64_t word = 0x6867666564636261;  // "abcdefgh", little-endian
-  EXPECT_EQ(hash("abcdefgh"), hex(fnv(0xcbf29ce484222325, word)));
-  EXPECT_EQ(hash("abcdefgha"), hex(fnv(fnv(0xcbf29ce484222325, word), 'a')));
-  EXPECT_NE(hash("a"), hash(std::string("a\0", 2)));
-  EXPECT_THROW(hash_file(folder / "none"), Error);
-}
-
-TEST(HashFile, LongFilesAreReadInPieces) {
-  const TemporaryFolder folder;
-  std::string bytes((std::size_t{3} << 20) + 5, 'x');
-  write_bytes(folder / "f", bytes);
-  std::uint64_t state = 0xcbf29ce484222325;
-  for (std::size_t i = 0; i + 8 <= bytes.size(); i += 8) state = fnv(state, 0x7878787878787878);
-  for (int i = 0; i < 5; ++i) state = fnv(state, 'x');
-  EXPECT_EQ(std::stoull(hash_file(folder / "f"), nullptr, 16), state);
 }
 
 }  // namespace
