@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "border_points.hpp"
 
-#include "patches/recut_points.hpp"
-
 namespace planescope {
 namespace {
 
@@ -31,7 +29,7 @@ std::vector<PatchDisc> make_discs(const Segmentation& scene) {
 
 }  // namespace
 
-std::vector<std::int32_t> recut_borders(const Segmentation& scene, const PointCloud& surface) {
+PointPatches recut_borders(const Segmentation& scene, const PointCloud& surface) {
   const std::vector<std::uint32_t>& label = scene.segments.patch_label;
   std::vector<Adjacency> borders;
   for (const Adjacency& pair : scene.graph.adjacency) {
@@ -39,8 +37,10 @@ std::vector<std::int32_t> recut_borders(const Segmentation& scene, const PointCl
   }
   std::vector<std::uint32_t> segment;  // labels count from 1
   for (const std::uint32_t l : label) segment.push_back(l - 1);
-  return recut_points(surface, scene.graph.point_patch, make_discs(scene),
-                      make_neighbour_table(label.size(), borders), kWeights, segment);
+  PointPatches points = point_patches(scene.graph);
+  recut_points(surface, points, make_discs(scene), make_neighbour_table(label.size(), borders),
+               kWeights, segment);
+  return points;
 }
 
 }  // namespace planescope

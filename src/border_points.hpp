@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
+#include "patches/recut_points.hpp"
 #include "planescope/pipeline.hpp"
 
 namespace planescope {
@@ -14,8 +12,8 @@ namespace planescope {
 /// patch is on, else its own plane. What lies beside a patch, rather than above it, counts a tenth;
 /// near ties stay, and points on a plane within its rms. Points move between adjacent patches only,
 /// and no segment loses its last ones: patches, planes, edges and segments stand. \param scene all
-/// but the labels of points. \param surface the cloud that patches were made of. \returns per
-/// point: the patch that it is labelled by, or kNone.
-std::vector<std::int32_t> recut_borders(const Segmentation& scene, const PointCloud& surface);
+/// but the labels of points. \param surface the cloud that patches were made of. \returns what
+/// points are labelled by.
+PointPatches recut_borders(const Segmentation& scene, const PointCloud& surface);
 
 }  // namespace planescope

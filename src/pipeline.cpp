@@ -10,6 +10,7 @@
 #include <tbb/parallel_for.h>
 
 #include "border_points.hpp"
+#include "patches/recut_points.hpp"
 #include "patches/smoothing.hpp"
 #include "planes/object_faces.hpp"
 #include "planes/renew_planes.hpp"
@@ -59,25 +60,29 @@ std::vector<Plane> selected_planes(const PlaneSelection& selection) {
 
 }  // namespace
 
-void label_points(Segmentation& scene, const std::vector<std::int32_t>& point_patch) {
+void label_points(Segmentation& scene, const PointPatches& points) {
+  const std::vector<std::int32_t>& point_patch = points.patch;
   scene.point_label.resize(point_patch.size());
   scene.point_plane.resize(point_patch.size());
+  const std::size_t patches = scene.graph.patches.size();
+  std::vector<std::int32_t> patch_plane(patches);
+  for (std::size_t p = 0; p < patches; ++p) patch_plane[p] = scene.plane_of(p);
   tbb::parallel_for(
       tbb::blocked_range<std::size_t>(0, point_patch.size(), 65536), [&](const auto& range) {
         for (std::size_t i = range.begin(); i != range.end(); ++i) {
           const bool in_patch = point_patch[i] != kNone;
           const auto p = static_cast<std::size_t>(point_patch[i]);
           scene.point_label[i] = in_patch ? scene.segments.patch_label[p] : kNoSegment;
-          scene.point_plane[i] = in_patch ? scene.plane_of(p) : kNone;
+          scene.point_plane[i] = in_patch ? patch_plane[p] : kNone;
         }
       });
   for (Segment& segment : scene.segments.segments) segment.point_count = 0;
   for (SupportingPlane& plane : scene.planes) plane.point_count = 0;
-  for (std::size_t i = 0; i < point_patch.size(); ++i) {
-    if (scene.point_label[i] != kNoSegment)
-      ++scene.segments.segments[scene.point_label[i] - 1].point_count;
-    if (scene.point_plane[i] != kNone)
-      ++scene.planes[static_cast<std::size_t>(scene.point_plane[i])].point_count;
+  for (std::size_t p = 0; p < patches; ++p) {
+    const std::uint32_t label = scene.segments.patch_label[p];
+    if (label != kNoSegment) scene.segments.segments[label - 1].point_count += points.count[p];
+    if (patch_plane[p] != kNone)
+      scene.planes[static_cast<std::size_t>(patch_plane[p])].point_count += points.count[p];
   }
 }
 

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
+#include "patches/recut_points.hpp"
 #include "planes/held_planes.hpp"
 #include "planes/shared_directions.hpp"
 #include "planescope/options.hpp"
@@ -30,8 +28,7 @@ void settle_planes(Segmentation& scene, const PlaneOptions& options,
                    const DirectionTolerance& tolerance);
 
 /// What holds for a patch holds for its points: fills point_label and point_plane, and the counts
-/// of points of segments and planes. \param point_patch per point: the patch that it is labelled
-/// by, or kNone.
-void label_points(Segmentation& scene, const std::vector<std::int32_t>& point_patch);
+/// of points of segments and planes. \param points the patches that they are labelled by.
+void label_points(Segmentation& scene, const PointPatches& points);
 
 }  // namespace planescope

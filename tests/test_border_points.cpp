@@ -29,9 +29,11 @@ struct TwoPatches {
     cloud.positions = points;
     scene.graph.point_patch.assign(points.size(), 0);
     scene.graph.point_patch.back() = 1;
+    scene.graph.patches[0].point_count = static_cast<std::uint32_t>(points.size() - 1);
+    scene.graph.patches[1].point_count = 1;
   }
 
-  std::vector<std::int32_t> recut() const { return recut_borders(scene, cloud); }
+  std::vector<std::int32_t> recut() const { return recut_borders(scene, cloud).patch; }
 };
 
 TEST(BorderPoints, GoToTheSurfaceThatTheyLieNearerTo) {

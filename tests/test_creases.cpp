@@ -29,6 +29,8 @@ struct Crease {
     cloud.positions = points;
     graph.point_patch.assign(points.size(), 0);
     graph.point_patch.back() = 1;
+    graph.patches[0].point_count = static_cast<std::uint32_t>(points.size() - 1);
+    graph.patches[1].point_count = 1;
   }
 
   const std::vector<std::int32_t>& cut() {
@@ -65,6 +67,7 @@ TEST(Creases, NoPatchLosesItsLastPoints) {
 TEST(Creases, PointsInNoPatchStayInNone) {
   Crease crease({V(0.1f, 0, 0.1f), V(0.05f, 0, 0), V(0.1f, 0, 0.1f)});
   crease.graph.point_patch[0] = kNone;
+  --crease.graph.patches[0].point_count;
   EXPECT_EQ(crease.cut(), (std::vector<std::int32_t>{kNone, 0, 1}));
 }
 

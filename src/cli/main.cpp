@@ -10,6 +10,7 @@
 #include "cli/console.hpp"
 #include "cli/memory.hpp"
 #include "cli/signals.hpp"
+#include "freed_memory.hpp"
 #include "planescope/error.hpp"
 
 namespace {
@@ -26,6 +27,7 @@ int main(int argc, char** argv) {
   using Kind = planescope::Error::Kind;
   planescope::cli::handle_signals();
   planescope::cli::explain_termination();
+  planescope::keep_freed_memory();
   try {
     const int code = planescope::cli::run_program(argc, argv);
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;

@@ -31,13 +31,12 @@ void cut_at_creases(const PointCloud& cloud, PatchGraph& graph) {
   std::transform(patches.begin(), patches.end(), discs.begin(), PatchDisc::of);
   std::vector<std::uint32_t> itself(patches.size());
   std::iota(itself.begin(), itself.end(), 0U);
-  graph.point_patch = recut_points(cloud, std::move(graph.point_patch), discs,
-                                   make_neighbour_table(patches.size(), creases), kWeights, itself);
-  std::vector<std::uint32_t> counts(patches.size(), 0);  // apart: patches are far from each other
-  for (const std::int32_t p : graph.point_patch) {
-    if (p != kNone) ++counts[static_cast<std::size_t>(p)];
-  }
-  for (std::size_t p = 0; p < counts.size(); ++p) graph.patches[p].point_count = counts[p];
+  PointPatches points = point_patches(graph);
+  recut_points(cloud, points, discs, make_neighbour_table(patches.size(), creases), kWeights,
+               itself);
+  graph.point_patch = std::move(points.patch);
+  for (std::size_t p = 0; p < points.count.size(); ++p)
+    graph.patches[p].point_count = points.count[p];
 }
 
 }  // namespace planescope

@@ -102,9 +102,38 @@ std::vector<Patch> describe_patches(const Surface& surface, const Members& membe
 
 // Counts of a patch's neighbours, sparse: a dense array a thread, cleared through the list of what
 // was touched.
-struct BorderCounter {
-  std::vector<std::uint32_t> count;
-  std::vector<std::uint32_t> touched;
+class BorderCounter {
+ public:
+  void reserve(std::size_t patches) { count_.resize(patches, 0); }
+
+  // Adds a voxel's neighbours of patches above `patch`: not kNone, nor what was counted from there.
+  // Which they are is decided without branches: they would be taken at random.
+  void add(const VoxelGrid& grid, const std::vector<std::int32_t>& label, std::uint32_t voxel,
+           std::int32_t patch) {
+    std::array<std::int32_t, 27> above;
+    std::size_t size = 0;
+    for (std::size_t k = grid.neighbour_offsets[voxel];
+         k < grid.neighbour_offsets[voxel + std::size_t{1}]; ++k) {
+      above[size] = label[grid.neighbours[k]];
+      size += above[size] > patch ? 1 : 0;
+    }
+    for (std::size_t i = 0; i < size; ++i) {
+      const auto other = static_cast<std::uint32_t>(above[i]);
+      if (count_[other]++ == 0) touched_.push_back(other);
+    }
+  }
+
+  // The patch's pairs, ascending; the counter is then as new.
+  void move_to(std::uint32_t patch, std::vector<Adjacency>& pairs) {
+    std::sort(touched_.begin(), touched_.end());
+    for (const std::uint32_t other : touched_) {
+      pairs.push_back({patch, other, std::exchange(count_[other], 0)});
+    }
+    touched_.clear();
+  }
+
+ private:
+  std::vector<std::uint32_t> count_, touched_;
 };
 
 std::vector<Adjacency> find_adjacency(const VoxelGrid& grid, const std::vector<std::int32_t>& label,
@@ -113,26 +142,11 @@ std::vector<Adjacency> find_adjacency(const VoxelGrid& grid, const std::vector<s
   tbb::enumerable_thread_specific<BorderCounter> counters;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows.size(), 64), [&](const auto& range) {
     BorderCounter& counter = counters.local();
-    counter.count.resize(rows.size(), 0);
+    counter.reserve(rows.size());
     for (std::size_t p = range.begin(); p != range.end(); ++p) {
-      for (std::size_t m = members.offsets[p]; m < members.offsets[p + 1]; ++m) {
-        const std::uint32_t v = members.voxels[m];
-        for (std::size_t k = grid.neighbour_offsets[v];
-             k < grid.neighbour_offsets[v + std::size_t{1}]; ++k) {
-          const std::int32_t other = label[grid.neighbours[k]];
-          if (other <= static_cast<std::int32_t>(p))
-            continue;  // kNone, itself, or counted from there
-          if (counter.count[static_cast<std::size_t>(other)]++ == 0) {
-            counter.touched.push_back(static_cast<std::uint32_t>(other));
-          }
-        }
-      }
-      std::sort(counter.touched.begin(), counter.touched.end());
-      for (const std::uint32_t other : counter.touched) {
-        rows[p].push_back({static_cast<std::uint32_t>(p), other, counter.count[other]});
-        counter.count[other] = 0;
-      }
-      counter.touched.clear();
+      for (std::size_t m = members.offsets[p]; m < members.offsets[p + 1]; ++m)
+        counter.add(grid, label, members.voxels[m], static_cast<std::int32_t>(p));
+      counter.move_to(static_cast<std::uint32_t>(p), rows[p]);
     }
   });
   std::vector<Adjacency> adjacency;
@@ -162,29 +176,40 @@ float vote_weight(const PointCloud& cloud, std::size_t i, float voxel_size) {
   return r * r;
 }
 
+// Sums of red, green and blue in 32 bits each, added in two steps.
+struct ColorSums {
+  static constexpr std::size_t kMostPoints = std::size_t{1} << 24;  // what 32 bits hold
+  std::uint64_t red_green = 0, blue = 0;
+
+  void add(const Rgb& c) {
+    red_green += std::uint64_t{c.g} << 32 | c.r;
+    blue += c.b;
+  }
+  Eigen::Vector3d sums() const {
+    return {double(red_green & 0xffffffff), double(red_green >> 32), double(blue)};
+  }
+};
+
 // What the points themselves say of their patch: mean colour, and the sum of their given normals.
 // The sums of whole numbers are the same in any order; those of normals run over fixed parts of the
 // cloud, one after the other.
 std::vector<Eigen::Vector3f> gather_point_votes(const PointCloud& cloud, bool with_normals,
                                                 PatchGraph& graph) {
-  constexpr std::size_t kParts = 8;
   struct Part {
-    std::vector<std::array<std::uint64_t, 3>> colors;
+    std::vector<ColorSums> colors;
     std::vector<Eigen::Vector3f> votes;
   };
-  std::vector<Part> parts(kParts);
+  std::vector<Part> parts(std::max<std::size_t>(8, cloud.size() / ColorSums::kMostPoints + 1));
   const std::size_t patches = graph.patches.size();
-  tbb::parallel_for(std::size_t{0}, kParts, [&](std::size_t k) {
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t k) {
     Part& part = parts[k];
     part.colors.resize(cloud.has_colors() ? patches : 0);
     part.votes.resize(with_normals ? patches : 0, Eigen::Vector3f::Zero());
-    for (std::size_t i = cloud.size() * k / kParts; i < cloud.size() * (k + 1) / kParts; ++i) {
+    const std::size_t end = cloud.size() * (k + 1) / parts.size();
+    for (std::size_t i = cloud.size() * k / parts.size(); i < end; ++i) {
       if (graph.point_patch[i] == kNone) continue;
       const auto p = static_cast<std::size_t>(graph.point_patch[i]);
-      if (cloud.has_colors()) {
-        const Rgb& c = cloud.colors[i];
-        part.colors[p][0] += c.r, part.colors[p][1] += c.g, part.colors[p][2] += c.b;
-      }
+      if (cloud.has_colors()) part.colors[p].add(cloud.colors[i]);
       if (with_normals && is_finite(cloud.normals[i]))
         part.votes[p] += vote_weight(cloud, i, graph.voxel_size) * cloud.normals[i];
     }
@@ -194,9 +219,7 @@ std::vector<Eigen::Vector3f> gather_point_votes(const PointCloud& cloud, bool wi
     Eigen::Vector3d color = Eigen::Vector3d::Zero();
     for (const Part& part : parts) {
       if (with_normals) votes[p] += part.votes[p];
-      if (!part.colors.empty())
-        color += Eigen::Vector3d(double(part.colors[p][0]), double(part.colors[p][1]),
-                                 double(part.colors[p][2]));
+      if (!part.colors.empty()) color += part.colors[p].sums();
     }
     graph.patches[p].color = (color / graph.patches[p].point_count).cast<float>();
   }

@@ -46,16 +46,22 @@ struct RecutWeights {
   float stay = 1;   ///< to the patch that has the point, against its rivals: near ties stay
 };
 
+/// Which patch each point ends in.
+struct PointPatches {
+  std::vector<std::int32_t> patch;   ///< per point of the cloud: its patch, or kNone
+  std::vector<std::uint32_t> count;  ///< per patch: its points
+};
+
+/// As the graph has them.
+PointPatches point_patches(const PatchGraph& graph);
+
 /// Points of patches that have rivals go to the nearest of all these. No group of patches loses its
 /// last points: it gets back what it had.
-/// \param point_patch per point of the cloud: its patch, or kNone, which stays.
+/// \param[in,out] points the counts are right before and after; kNone stays.
 /// \param discs per patch. \param rivals per patch: those that may take its points.
 /// \param group per patch: patches of one group stand for each other; below the number of patches.
-/// \returns point_patch anew.
-std::vector<std::int32_t> recut_points(const PointCloud& cloud,
-                                       std::vector<std::int32_t> point_patch,
-                                       const std::vector<PatchDisc>& discs,
-                                       const NeighbourTable& rivals, const RecutWeights& weights,
-                                       std::span<const std::uint32_t> group);
+void recut_points(const PointCloud& cloud, PointPatches& points,
+                  const std::vector<PatchDisc>& discs, const NeighbourTable& rivals,
+                  const RecutWeights& weights, std::span<const std::uint32_t> group);
 
 }  // namespace planescope

@@ -14,6 +14,7 @@ namespace {
 struct SeedCell {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   std::uint32_t count = 0;
+  Eigen::Vector3f mean = Eigen::Vector3f::Zero();
   std::uint32_t voxel = kNoVoxel;
   float distance = std::numeric_limits<float>::infinity();
 };
@@ -39,10 +40,10 @@ std::vector<std::uint32_t> choose_seeds(const VoxelGrid& grid, double patch_size
     cells[cell_of[v]].sum += grid.mean[v].cast<double>();
     ++cells[cell_of[v]].count;
   }
+  for (SeedCell& cell : cells) cell.mean = (cell.sum / cell.count).cast<float>();
   for (std::size_t v = 0; v < grid.voxel_count(); ++v) {
     SeedCell& cell = cells[cell_of[v]];
-    const Eigen::Vector3f mean = (cell.sum / cell.count).cast<float>();
-    const float d = (grid.mean[v] - mean).squaredNorm();
+    const float d = (grid.mean[v] - cell.mean).squaredNorm();
     if (d < cell.distance) {
       cell.distance = d;
       cell.voxel = static_cast<std::uint32_t>(v);

@@ -91,7 +91,7 @@ void MapTracker::State::complete() {
     base += static_cast<std::int32_t>(tile->graph.patches.size());
   }
   map.width = static_cast<std::uint32_t>(map.size());
-  label_points(scene, scene.graph.point_patch);
+  label_points(scene, point_patches(scene.graph));
   completed = true;
 }
 

@@ -150,7 +150,7 @@ Segmentation run(const AblationScene& scene, const Variant& variant) {
     segment_graph(result, result.options);
   }
   label_points(result, variant.parts.border_points ? recut_borders(result, surface)
-                                                   : result.graph.point_patch);
+                                                   : point_patches(result.graph));
   return result;
 }
 

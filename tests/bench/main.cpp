@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "freed_memory.hpp"
 #include "inputs.hpp"
 #include "memory.hpp"
 #include "speed.hpp"
@@ -48,6 +49,7 @@ int run(std::vector<char*> arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  planescope::keep_freed_memory();  // as the command line does
   try {
     return run({argv, argv + argc});
   } catch (const std::exception& error) {
