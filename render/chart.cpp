@@ -142,7 +142,7 @@ Image draw_charts(const std::vector<Chart>& charts, const ChartAxis& axis, const
   }
   actor->GetScene()->SetRenderer(renderer);
   renderer->AddActor(actor);
-  return downsample(window.draw(size[0] * kScale, size[1] * kScale), kScale);
+  return window.draw(size[0], size[1], kScale);
 }
 
 }  // namespace planescope::draw

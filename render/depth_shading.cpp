@@ -5,6 +5,7 @@
 #include <GL/gl.h>
 
 #include <algorithm>
+#include <string>
 
 #include <vtkCamera.h>
 #include <vtkObjectFactory.h>
@@ -30,7 +31,6 @@ uniform ivec2 last;     // pixel of the textures
 uniform ivec2 radii;    // [pixel] of the inner ring, which draws contours, and of the outer one
 uniform float a, b;
 uniform vec2 range;     // [m] near and far plane
-uniform bool parallel;  // projection, where d = (z - n) / (f - n)
 uniform float noise;    // [1/m] of the depth, for each metre of it
 
 const float kTolerance = 0.0012;  // of the depth: roughness that is always there
@@ -49,39 +49,45 @@ ivec2 place(ivec2 at, int radius, int i)
   return clamp(at + offset, ivec2(0), last);
 }
 
-// In units of 1 / b, whatever the projection.
+// In units of 1 / b, whatever the projection. Most of this shader's time goes into fetches, and a
+// software renderer takes all of them in a branch that some pixel of a group takes.
 float inverseDepth(ivec2 at)
 {
   float d = texelFetch(depths, at, 0).r;
-  return parallel ? b / mix(range.x, range.y, d) : a - d;
+#ifdef PARALLEL
+  return b / mix(range.x, range.y, d);
+#else
+  return a - d;
+#endif
 }
 
 void main()
 {
   ivec2 at = ivec2(texCoord * vec2(last + 1));
+  float depth = texelFetch(depths, at, 0).r;
   float here = inverseDepth(at);
-  vec3 color = texelFetch(colors, at, 0).rgb;
   float ring[8];
   int nearer = 0;
-  float sum = 0.0;
+  float sum = 0.0, nearest = here;
+  ivec2 cover = at;
   for (int i = 0; i < 8; ++i)
   {
-    ring[i] = inverseDepth(place(at, radii.x, i));
-    if (ring[i] > here * (1.0 + kHole)) { ++nearer; sum += ring[i]; }
+    ivec2 beside = place(at, radii.x, i);
+    ring[i] = inverseDepth(beside);
+    bool before = ring[i] > here * (1.0 + kHole);
+    nearer += before ? 1 : 0;
+    sum += before ? ring[i] : 0.0;
+    cover = ring[i] > nearest ? beside : cover;
+    nearest = max(nearest, ring[i]);
   }
-  if (nearer >= 7)
-  {
-    color = vec3(0.0);
-    for (int i = 0; i < 8; ++i)
-      if (ring[i] > here * (1.0 + kHole)) color += texelFetch(colors, place(at, radii.x, i), 0).rgb;
-    color /= float(nearer);
-    here = sum / float(nearer);
-  }
+  bool hole = nearer >= 7;
+  here = hole ? sum / float(nearer) : here;
+  vec3 color = texelFetch(colors, hole ? cover : at, 0).rgb;
   float tolerance = max(kTolerance, noise * b / here);
   float shade = 0.0;
   for (int i = 0; i < 8; i += 2)
     shade += clamp((ring[i] + ring[i + 1]) / (2.0 * here) - 1.0 - tolerance, 0.0, kMost);
-  if (texelFetch(depths, at, 0).r < 1.0)  // the background has contours, and no creases
+  if (depth < 1.0)  // the background has contours, and no creases
   {
     for (int i = 0; i < 8; i += 2)
     {
@@ -90,9 +96,21 @@ void main()
     }
   }
   gl_FragData[0] = vec4(color * exp(-kStrength * shade / 5.0), 1.0);
-  gl_FragDepth = parallel ? (b / here - range.x) / (range.y - range.x) : a - here;
+#ifdef PARALLEL
+  gl_FragDepth = (b / here - range.x) / (range.y - range.x);
+#else
+  gl_FragDepth = a - here;
+#endif
 }
 )";
+
+/// For a parallel projection, where d = (z - n) / (f - n), or for a perspective.
+std::string fragment_shader(bool parallel) {
+  const std::string after = "//VTK::Output::Dec\n";
+  std::string shader = kFragmentShader;
+  if (parallel) shader.insert(shader.find(after) + after.size(), "#define PARALLEL\n");
+  return shader;
+}
 
 }  // namespace
 
@@ -101,7 +119,7 @@ vtkStandardNewMacro(DepthShading);
 DepthShading::DepthShading() = default;
 DepthShading::~DepthShading() = default;
 
-void DepthShading::prepare(vtkOpenGLRenderWindow* window) {
+void DepthShading::prepare(vtkOpenGLRenderWindow* window, bool parallel) {
   color_->SetContext(window);
   depth_->SetContext(window);
   buffer_->SetContext(window);
@@ -110,8 +128,10 @@ void DepthShading::prepare(vtkOpenGLRenderWindow* window) {
     color_->Create2D(width, height, 4, VTK_UNSIGNED_CHAR, false);
     depth_->AllocateDepth(width, height, vtkTextureObject::Float32);
   }
-  if (!quad_)
-    quad_ = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, kFragmentShader, nullptr);
+  if (quad_ && parallel == quad_is_parallel_) return;
+  quad_ = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, fragment_shader(parallel).c_str(),
+                                                nullptr);
+  quad_is_parallel_ = parallel;
 }
 
 void DepthShading::Render(const vtkRenderState* state) {
@@ -121,7 +141,7 @@ void DepthShading::Render(const vtkRenderState* state) {
   ExtraPixels = 0;
   W = Width;
   H = Height;
-  prepare(window);
+  prepare(window, renderer->GetActiveCamera()->GetParallelProjection() != 0);
   window->GetState()->PushFramebufferBindings();
   RenderDelegate(state, Width, Height, W, H, buffer_, color_, depth_);
   window->GetState()->PopFramebufferBindings();
@@ -144,21 +164,42 @@ void DepthShading::shade(vtkRenderer* renderer, vtkOpenGLRenderWindow* window) {
   program.SetUniformf("b", static_cast<float>(a * range[0]));
   const float near_and_far[2] = {static_cast<float>(range[0]), static_cast<float>(range[1])};
   program.SetUniform2f("range", near_and_far);
-  program.SetUniformi("parallel", renderer->GetActiveCamera()->GetParallelProjection());
   program.SetUniformf("noise", static_cast<float>(noise_));
 
   vtkOpenGLState& gl = *window->GetState();
   gl.vtkglDisable(GL_BLEND);
-  gl.vtkglDisable(GL_SCISSOR_TEST);
+  fill_around(renderer, gl);
   gl.vtkglEnable(GL_DEPTH_TEST);
   gl.vtkglDepthMask(GL_TRUE);
   gl.vtkglDepthFunc(GL_ALWAYS);
   gl.vtkglViewport(Origin[0], Origin[1], W, H);
   quad_->Render();
+  gl.vtkglDisable(GL_SCISSOR_TEST);
   gl.vtkglDepthFunc(GL_LEQUAL);
   gl.vtkglEnable(GL_BLEND);
   depth_->Deactivate();
   color_->Deactivate();
+}
+
+/// Background everywhere, and from now on drawing in the region only.
+void DepthShading::fill_around(vtkRenderer* renderer, vtkOpenGLState& gl) const {
+  const int margin = radii_[1] + 1;
+  const auto within = [&](int at, int size, int origin) {
+    return origin + std::clamp(at, 0, size);
+  };
+  const int left = within(region_[0] - margin, W, Origin[0]),
+            bottom = within(region_[1] - margin, H, Origin[1]);
+  const int width = within(region_[2] + margin, W, Origin[0]) - left,
+            height = within(region_[3] + margin, H, Origin[1]) - bottom;
+  const double* ground = renderer->GetBackground();
+  gl.vtkglDisable(GL_SCISSOR_TEST);
+  gl.vtkglDepthMask(GL_TRUE);
+  gl.vtkglClearColor(static_cast<float>(ground[0]), static_cast<float>(ground[1]),
+                     static_cast<float>(ground[2]), 1.0F);
+  gl.vtkglClearDepth(1.0);
+  gl.vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  gl.vtkglEnable(GL_SCISSOR_TEST);
+  gl.vtkglScissor(left, bottom, width, height);
 }
 
 void DepthShading::ReleaseGraphicsResources(vtkWindow* window) {

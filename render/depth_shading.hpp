@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <memory>
 
 #include <vtkDepthImageProcessingPass.h>
@@ -10,6 +11,7 @@
 #include <vtkTextureObject.h>
 
 class vtkOpenGLQuadHelper;
+class vtkOpenGLState;
 
 /// \file Eye-dome lighting: points without normals get their shape from the depth buffer.
 namespace planescope::draw {
@@ -33,6 +35,9 @@ class DepthShading final : public vtkDepthImageProcessingPass {
     radii_[0] = contour;
     radii_[1] = crease;
   }
+  /// [pixel] What may hold points: only this and their contours around it are shaded.
+  /// \param region left, bottom, right (beyond), top (beyond); may reach over the picture's edges.
+  void SetRegion(const std::array<int, 4>& region) { region_ = region; }
   /// [1/m] Noise of the points relative to depth, for each metre of depth: not shaded.
   void SetNoise(double noise) { noise_ = noise; }
 
@@ -41,14 +46,17 @@ class DepthShading final : public vtkDepthImageProcessingPass {
   ~DepthShading() override;
 
  private:
-  void prepare(vtkOpenGLRenderWindow* window);
+  void prepare(vtkOpenGLRenderWindow* window, bool parallel);
   void shade(vtkRenderer* renderer, vtkOpenGLRenderWindow* window);
+  void fill_around(vtkRenderer* renderer, vtkOpenGLState& gl) const;
 
   int radii_[2] = {2, 6};
+  std::array<int, 4> region_ = {0, 0, 1 << 20, 1 << 20};
   double noise_ = 0;
   vtkNew<vtkTextureObject> color_, depth_;
   vtkNew<vtkOpenGLFramebufferObject> buffer_;
   std::unique_ptr<vtkOpenGLQuadHelper> quad_;
+  bool quad_is_parallel_ = false;
 };
 
 }  // namespace planescope::draw

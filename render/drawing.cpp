@@ -62,6 +62,23 @@ std::array<double, 2> depth_range(const PointCloud& cloud, const SceneBox& box,
   return {std::clamp(0.8 * nearest, 1e-3 * farthest, 0.99 * farthest), 1.5 * farthest};
 }
 
+/// [pixel] Left, bottom, right and top of what a box can be seen in, `margin` around it: the whole
+/// picture where the camera is inside, or beside it.
+std::array<int, 4> seen_region(const Camera& camera, const Eigen::AlignedBox3d& box, double margin,
+                               int width, int height) {
+  const double aspect = static_cast<double>(width) / height;
+  Eigen::AlignedBox2d seen;
+  for (int k = 0; k < 8; ++k) {
+    const Eigen::Vector3d at =
+        project(camera, aspect, box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(k)));
+    if (!(at.z() > 0) || !(at.head<2>().cwiseAbs().maxCoeff() < 1e3)) return {0, 0, width, height};
+    seen.extend(Eigen::Vector2d((at.x() + 1) / 2 * width, (at.y() + 1) / 2 * height));
+  }
+  const Eigen::Vector2d low = seen.min().array() - margin, high = seen.max().array() + margin + 1;
+  return {static_cast<int>(low.x()), static_cast<int>(low.y()), static_cast<int>(high.x()),
+          static_cast<int>(high.y())};
+}
+
 }  // namespace
 
 namespace {
@@ -75,11 +92,13 @@ SceneColors all_colors(const SceneData& scene, const RenderOptions& options, con
 
 }  // namespace
 
-Drawing::Drawing(const SceneData& scene, const RenderOptions& options, Fit fit)
+Drawing::Drawing(const SceneData& scene, const RenderOptions& options, Fit fit,
+                 std::unique_ptr<Window> window)
     : scene_(scene),
       options_((validate(options), options)),
       shot_(scene, options, fit),
-      colors_(all_colors(scene, options, shot_)) {
+      colors_(all_colors(scene, options, shot_)),
+      window_(window ? std::move(window) : std::make_unique<Window>()) {
   make_renderers();
 }
 
@@ -102,9 +121,9 @@ void Drawing::upload(const std::array<int, 2>& size, int scale) {
 }
 
 void Drawing::make_renderers() {
-  points_renderer_ = make_renderer(window_, 0);
-  shapes_renderer_ = make_renderer(window_, 1);
-  window_.vtk()->SetNumberOfLayers(2);
+  points_renderer_ = make_renderer(*window_, 0);
+  shapes_renderer_ = make_renderer(*window_, 1);
+  window_->vtk()->SetNumberOfLayers(2);
   if (options_.eye_dome_lighting) {
     vtkNew<vtkRenderStepsPass> steps;
     shading_ = vtkSmartPointer<DepthShading>::New();
@@ -131,12 +150,12 @@ int Drawing::supersample(const std::array<int, 2>& size) const {
   int scale = options_.supersample;
   const auto too_large = [&] {
     return std::int64_t{size[0]} * size[1] * scale * scale > kMostPixels ||
-           std::max(size[0], size[1]) * scale > window_.max_size();
+           std::max(size[0], size[1]) * scale > window_->max_size();
   };
   while (scale > 1 && too_large()) --scale;
   if (too_large()) {
     throw Error(Error::Kind::Rendering, "the OpenGL renderer draws at most " +
-                                            std::to_string(window_.max_size()) +
+                                            std::to_string(window_->max_size()) +
                                             " pixels a side; ask for a smaller picture");
   }
   return scale;
@@ -155,12 +174,15 @@ void Drawing::show(Layer layers, const PointColors& colors, const Layout& layout
   given_colors_ != nullptr ? points_->show(*given_colors_) : points_->show(colors);
   const double side = std::sqrt(static_cast<double>(layout.width) * layout.height);
   const double height = static_cast<double>(layout.height) * scale;
-  points_->scale(point_scale({layout.width, layout.height}, scale));
+  const PointScale splats = point_scale({layout.width, layout.height}, scale);
+  points_->scale(splats);
   const Pen pen{scale * std::max(0.6, side / 1440), height};
   if (shading_) {  // at 1920 x 1080: two pixels and six
     const double size = scale * side / 1440;
     shading_->SetRadii(std::max(scale, static_cast<int>(std::lround(2 * size))),
                        std::max(2 * scale, static_cast<int>(std::lround(6 * size))));
+    shading_->SetRegion(seen_region(eye_, points_->bounds(), splats.most / 2 + 1,
+                                    layout.width * scale, layout.height * scale));
   }
   shapes_ = given_shapes_;
   const auto add = [&](const Actors& actors) {
@@ -198,7 +220,7 @@ Image Drawing::picture(const std::array<int, 2>& size, int scale, const Annotati
     for (const auto& actor : shapes_) shapes_renderer_->AddActor(actor);
     annotate(*shapes_renderer_, annotation, layout, scale, ground, options_.background);
     points_renderer_->SetBackground(ground.data());
-    return downsample(window_.draw(size[0] * scale, size[1] * scale), scale);
+    return window_->draw(size[0], size[1], scale);
   };
   if (!options_.transparent) return on(options_.background);
   // What lets white through and not black is how transparent the picture is; words keep the ink of

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
 
 #include <vtkRenderer.h>
@@ -26,11 +27,12 @@ namespace planescope::draw {
 /// by depth; over them, tested against the points' depth and not shaded, planes, graph and words.
 class Drawing {
  public:
-  /// `scene` must outlive the drawing.
+  /// `scene` must outlive the drawing. \param window to draw in; null: a new one.
   /// \throws Error{Kind::Usage} options are out of range, or the scene lacks what they name.
   /// \throws Error{Kind::Input} nothing in the scene is finite.
   /// \throws Error{Kind::Rendering} no OpenGL context.
-  Drawing(const SceneData& scene, const RenderOptions& options, Fit fit = Fit::Scene);
+  Drawing(const SceneData& scene, const RenderOptions& options, Fit fit = Fit::Scene,
+          std::unique_ptr<Window> window = nullptr);
 
   /// A picture of some layers, its points coloured as `by` says. Where neither asks for colours,
   /// faded points lie under the others. What the options ask for is added to the annotation, and a
@@ -73,7 +75,7 @@ class Drawing {
   bool uniform_allowed_ = false;
   Shot shot_;
   SceneColors colors_;
-  Window window_;
+  std::unique_ptr<Window> window_;
   vtkSmartPointer<vtkRenderer> points_renderer_, shapes_renderer_;
   vtkSmartPointer<DepthShading> shading_;  // null without eye-dome lighting
   std::unique_ptr<PointPainter> painter_;

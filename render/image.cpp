@@ -4,24 +4,20 @@
 
 #include <algorithm>
 #include <cstring>
-#include <string_view>
+#include <utility>
 
 #include <vtkCommand.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPNGReader.h>
-#include <vtkPNGWriter.h>
-#include <vtkUnsignedCharArray.h>
 
+#include "io/png_image.hpp"
 #include "io/whole_file.hpp"
 #include "planescope/error.hpp"
 #include "vtk_errors.hpp"
 
 namespace planescope::draw {
 namespace {
-
-// zlib's. Drawings are flat: higher levels take up to twice the time and save a fifth of the bytes.
-constexpr int kCompression = 2;
 
 std::size_t bytes_per_row(const Image& image) { return static_cast<std::size_t>(image.width) * 3; }
 
@@ -44,26 +40,47 @@ Image filled(int width, int height, const Pixel& color) {
   return image;
 }
 
-Image downsample(const Image& image, int factor) {
-  if (factor == 1) return image;
-  Image small{image.width / factor, image.height / factor, {}};
-  small.rgb.resize(bytes_per_row(small) * static_cast<std::size_t>(small.height));
-  const auto block = static_cast<std::uint32_t>(factor * factor);
-  const auto step = static_cast<std::size_t>(factor);
-  std::vector<std::uint32_t> sums(bytes_per_row(small));
-  for (std::size_t y = 0; y < static_cast<std::size_t>(small.height); ++y) {
-    std::fill(sums.begin(), sums.end(), 0U);
-    for (std::size_t row = y * step; row < (y + 1) * step; ++row) {
-      const std::uint8_t* in = image.rgb.data() + row * bytes_per_row(image);
-      for (std::size_t x = 0; x < sums.size(); x += 3)
-        for (std::size_t k = 0; k < step; ++k, in += 3)
-          for (std::size_t c = 0; c < 3; ++c) sums[x + c] += in[c];
+namespace {
+
+/// Adds up the blocks of a row; a constant number of pixels makes straight code.
+template <std::size_t kStep>
+void add_blocks(const std::uint8_t* in, std::vector<std::uint16_t>& sums) {
+  for (std::size_t x = 0; x < sums.size(); x += 3)
+    for (std::size_t k = 0; k < kStep; ++k, in += 3)
+      for (std::size_t c = 0; c < 3; ++c)
+        sums[x + c] = static_cast<std::uint16_t>(sums[x + c] + in[c]);
+}
+
+}  // namespace
+
+Image downsample(const PixelRows& rows, int factor) {
+  Image small{rows.width / factor, rows.height / factor, {}};
+  const std::size_t width = bytes_per_row(small);
+  small.rgb.resize(width * static_cast<std::size_t>(small.height));
+  using Add = void (*)(const std::uint8_t*, std::vector<std::uint16_t>&);
+  constexpr std::array<Add, 4> kAdd = {add_blocks<1>, add_blocks<2>, add_blocks<3>, add_blocks<4>};
+  const auto add = kAdd.at(static_cast<std::size_t>(factor - 1));
+  const int block = factor * factor;
+  std::vector<std::uint16_t> sums(width);
+  for (int y = 0; y < small.height; ++y) {
+    std::uint8_t* out = small.rgb.data() + width * static_cast<std::size_t>(y);
+    const std::uint8_t* in = rows.top + rows.step * y * factor;
+    if (factor == 1) {
+      std::memcpy(out, in, width);
+      continue;
     }
-    std::uint8_t* out = small.rgb.data() + y * bytes_per_row(small);
-    for (std::size_t i = 0; i < sums.size(); ++i)
+    std::fill(sums.begin(), sums.end(), std::uint16_t{0});
+    for (int row = 0; row < factor; ++row) add(in + rows.step * row, sums);
+    for (std::size_t i = 0; i < width; ++i)
       out[i] = static_cast<std::uint8_t>((sums[i] + block / 2) / block);
   }
   return small;
+}
+
+Image downsample(const Image& image, int factor) {
+  if (factor == 1) return image;
+  const auto step = static_cast<std::ptrdiff_t>(bytes_per_row(image));
+  return downsample(PixelRows{image.rgb.data(), step, image.width, image.height}, factor);
 }
 
 Image shrunk(const Image& image, int width, int height) {
@@ -134,36 +151,21 @@ void paste(Image& canvas, const Image& piece, int x, int y) {
 }
 
 std::string encode_png(const Image& image, const PngNotes& notes) {
-  const bool opaque = image.alpha.empty();
-  vtkNew<vtkImageData> data;
-  data->SetDimensions(image.width, image.height, 1);
-  data->AllocateScalars(VTK_UNSIGNED_CHAR, opaque ? 3 : 4);
-  for (int y = 0; y < image.height; ++y) {  // VTK's rows go from the bottom up
-    const std::size_t row = static_cast<std::size_t>(image.height - 1 - y);
-    const std::uint8_t* in = image.rgb.data() + row * bytes_per_row(image);
-    auto* out = static_cast<std::uint8_t*>(data->GetScalarPointer(0, y, 0));
-    if (opaque) {
-      std::memcpy(out, in, bytes_per_row(image));
-      continue;
-    }
-    const std::uint8_t* alpha = image.alpha.data() + row * static_cast<std::size_t>(image.width);
-    for (int x = 0; x < image.width; ++x, in += 3) {
-      out = std::copy(in, in + 3, out);
-      *out++ = *alpha++;
+  io::PngPixels pixels{
+      static_cast<std::uint32_t>(image.width), static_cast<std::uint32_t>(image.height), {}};
+  const std::size_t channels = image.alpha.empty() ? 3 : 4;
+  pixels.samples.resize(image.rgb.size() / 3 * channels);
+  auto* out = reinterpret_cast<std::uint8_t*>(pixels.samples.data());
+  if (image.alpha.empty()) {
+    std::ranges::copy(image.rgb, out);
+  } else {
+    for (std::size_t i = 0; i < image.alpha.size(); ++i) {
+      out = std::copy_n(&image.rgb[3 * i], 3, out);
+      *out++ = image.alpha[i];
     }
   }
-  vtkNew<vtkPNGWriter> writer;
-  VtkErrors errors(writer);
-  writer->SetInputData(data);
-  writer->SetCompressionLevel(kCompression);
-  writer->WriteToMemoryOn();
-  writer->Write();
-  vtkUnsignedCharArray* bytes = writer->GetResult();
-  if (bytes == nullptr || errors.any())
-    throw Error(Error::Kind::Rendering, "the picture cannot be made a PNG: " + errors.first());
-  const std::string_view png(reinterpret_cast<const char*>(bytes->GetPointer(0)),
-                             static_cast<std::size_t>(bytes->GetNumberOfValues()));
-  return with_notes(png, notes);
+  const auto kind = image.alpha.empty() ? io::PngKind::Drawing : io::PngKind::DrawingWithAlpha;
+  return with_notes(io::encode_png(std::move(pixels), kind), notes);
 }
 
 void write_png(const Image& image, const std::filesystem::path& file, const PngNotes& notes) {

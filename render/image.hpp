@@ -27,9 +27,19 @@ struct Image {
 /// A picture of one colour.
 Image filled(int width, int height, const Pixel& color);
 
-/// The mean over blocks of factor x factor pixels, rounded; width and height must be multiples of
-/// `factor`. In sRGB, not in light: thin dark lines on white keep their weight.
+/// The mean over blocks of factor x factor (1 to 4) pixels, rounded; width and height must be
+/// multiples of `factor`. In sRGB, not in light: thin dark lines on white keep their weight.
 Image downsample(const Image& image, int factor);
+
+/// A picture that lies elsewhere, three bytes a pixel.
+struct PixelRows {
+  const std::uint8_t* top;  ///< the uppermost row
+  std::ptrdiff_t step;      ///< [byte] to the next one below it
+  int width, height;
+};
+
+/// The same of such a picture; with a factor of 1, a copy.
+Image downsample(const PixelRows& rows, int factor);
 
 /// The picture at another, smaller size: each pixel is the mean of the area that it covers, in sRGB
 /// as above. `width` and `height` must not exceed the picture's.

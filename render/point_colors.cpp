@@ -186,15 +186,23 @@ std::array<float, 2> curvature_range(const SceneData& scene) {
 
 PointPainter::PointPainter(const SceneData& scene, const SceneColors& colors,
                            const Eigen::Vector3d& up, const Eigen::Vector3d& light)
-    : scene_(scene), colors_(colors), up_(up.cast<float>()), tones_(patch_tones(scene, light)) {
-  vtkDataArray& normals = patch_column(scene, "normal");
-  vtkDataArray& curvature = patch_column(scene, "curvature");
-  const double most = curvature_range(scene)[1];
-  for (vtkIdType i = 0; i < normals.GetNumberOfTuples(); ++i) {
-    Eigen::Vector3d normal;
-    normals.GetTuple(i, normal.data());
-    normals_.push_back(direction_color(normal));
-    curved_.push_back(ramp_color(curvature.GetTuple1(i) / most));
+    : scene_(scene), colors_(colors), up_(up.cast<float>()), tones_(patch_tones(scene, light)) {}
+
+void PointPainter::prepare(ColorBy by) {
+  vtkDataArray& normals = patch_column(scene_, "normal");
+  vtkDataArray& curvature = patch_column(scene_, "curvature");
+  const vtkIdType patches = normals.GetNumberOfTuples();
+  if (by == ColorBy::Normal && normals_.empty()) {
+    for (vtkIdType i = 0; i < patches; ++i) {
+      Eigen::Vector3d normal;
+      normals.GetTuple(i, normal.data());
+      normals_.push_back(direction_color(normal));
+    }
+  }
+  if (by == ColorBy::Curvature && curved_.empty()) {
+    const double most = curvature_range(scene_)[1];
+    for (vtkIdType i = 0; i < patches; ++i)
+      curved_.push_back(ramp_color(curvature.GetTuple1(i) / most));
   }
 }
 

@@ -76,6 +76,10 @@ class PointPainter {
   PointPainter(const SceneData& scene, const SceneColors& colors, const Eigen::Vector3d& up,
                const Eigen::Vector3d& light);
 
+  /// Works out what patches look like by this way, once.
+  void prepare(ColorBy by);
+
+  /// \pre prepare(way.by)
   Pixel operator()(std::size_t point, const PointColors& way) const;
 
   /// How bright the lamp makes the point's patch, in (0, 1].
@@ -95,7 +99,7 @@ class PointPainter {
   const SceneColors& colors_;
   Eigen::Vector3f up_;
   std::vector<float> tones_;             // of each patch
-  std::vector<Pixel> normals_, curved_;  // of each patch
+  std::vector<Pixel> normals_, curved_;  // of each patch, once they are asked for
 };
 
 }  // namespace planescope::draw

@@ -34,7 +34,7 @@ std::vector<std::uint32_t> visible_points(const SceneData& scene, const Cutaway&
   return points;
 }
 
-PointLayer::PointLayer(const SceneData& scene, const PointPainter& painter,
+PointLayer::PointLayer(const SceneData& scene, PointPainter& painter,
                        std::vector<std::uint32_t> points, const std::vector<float>& diameters)
     : scene_(scene),
       painter_(painter),
@@ -69,6 +69,11 @@ void PointLayer::add_points() {
   data_->SetVerts(vertices);
 }
 
+Eigen::AlignedBox3d PointLayer::bounds() const {
+  const double* b = data_->GetBounds();
+  return {Eigen::Vector3d(b[0], b[2], b[4]), Eigen::Vector3d(b[1], b[3], b[5])};
+}
+
 void PointLayer::show(const PointColors& way) {
   const std::string name = way.name();
   if (data_->GetPointData()->GetArray(name.c_str()) == nullptr) {
@@ -77,6 +82,7 @@ void PointLayer::show(const PointColors& way) {
     array->SetNumberOfComponents(4);
     array->SetNumberOfTuples(static_cast<vtkIdType>(points_.size()));
     unsigned char* out = array->GetPointer(0);
+    painter_.prepare(way.by);
     for (const std::uint32_t point : points_) {
       const Pixel pixel = painter_(point, way);
       out = std::copy(pixel.begin(), pixel.end(), out);

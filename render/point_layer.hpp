@@ -22,10 +22,12 @@ namespace planescope::draw {
 class PointLayer {
  public:
   /// `points`: indices of those that are drawn; they must be finite. `diameters`: of each [m].
-  PointLayer(const SceneData& scene, const PointPainter& painter, std::vector<std::uint32_t> points,
+  PointLayer(const SceneData& scene, PointPainter& painter, std::vector<std::uint32_t> points,
              const std::vector<float>& diameters);
 
   vtkActor* actor() { return actor_; }
+  /// [m] Of the points' middles.
+  Eigen::AlignedBox3d bounds() const;
   /// Colours the points this way from now on.
   void show(const PointColors& colors);
   /// Gives them colours from elsewhere, one a point of the cloud, toned as segments are.
@@ -36,7 +38,7 @@ class PointLayer {
   void add_points();
 
   const SceneData& scene_;
-  const PointPainter& painter_;
+  PointPainter& painter_;
   std::vector<std::uint32_t> points_;
   vtkSmartPointer<vtkPolyData> data_;
   vtkSmartPointer<vtkPolyDataMapper> mapper_;

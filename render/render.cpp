@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <future>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -31,13 +33,25 @@ namespace planescope {
 namespace {
 
 Camera render_one(const draw::SceneData& scene, const RenderOptions& options,
-                  const std::filesystem::path& png) {
-  draw::Drawing drawing(scene, options);
+                  const std::filesystem::path& png,
+                  std::unique_ptr<draw::Window> window = nullptr) {
+  draw::Drawing drawing(scene, options, draw::Fit::Scene, std::move(window));
   const draw::Annotation words = draw::describe(scene, options.layers, options.annotation.title);
   const draw::Image image = drawing.draw(options.layers, options.size, words, options.color_by);
   const Camera camera = draw::in_world(drawing.camera(), scene);
   draw::write_png(image, png, draw::provenance(scene, options, options.layers, camera));
   return camera;
+}
+
+/// A window for one picture: OpenGL starts while the scene is read.
+std::unique_ptr<draw::Window> start_window(const RenderOptions& options) {
+  auto window = std::make_unique<draw::Window>();
+  const auto side = [&](int pixels) { return std::int64_t{pixels} * options.supersample; };
+  const auto [width, height] = options.size;
+  if (std::max(side(width), side(height)) <= window->max_size() &&
+      side(width) * side(height) <= draw::kMostPixels)
+    window->prepare(static_cast<int>(side(width)), static_cast<int>(side(height)));
+  return window;
 }
 
 draw::Pixel to_pixel(const std::array<double, 3>& color) {
@@ -58,7 +72,17 @@ Camera render(const Segmentation& scene, const PointCloud& cloud, const RenderOp
 Camera render(const std::filesystem::path& folder, const RenderOptions& options,
               const std::filesystem::path& png) {
   draw::validate(options);
-  return render_one(draw::scene_data(folder), options, png);
+  auto loading = std::async(std::launch::async, [&] { return draw::scene_data(folder); });
+  std::unique_ptr<draw::Window> window;
+  std::exception_ptr failure;  // what is wrong with the folder is said first
+  try {
+    window = start_window(options);
+  } catch (...) {
+    failure = std::current_exception();
+  }
+  const draw::SceneData scene = loading.get();
+  if (failure) std::rethrow_exception(failure);
+  return render_one(scene, options, png, std::move(window));
 }
 
 ColorDifferences color_differences(const std::filesystem::path& folder,

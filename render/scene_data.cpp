@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene_data.hpp"
 
+#include <future>
 #include <string>
 #include <utility>
 
@@ -60,27 +61,32 @@ SceneData add_geometry(Result result, const std::filesystem::path& folder) {
   const auto last_label = static_cast<double>(result.segments.size());
   const Eigen::Vector3d& origin = result.cloud.origin;
 
-  const auto patches = folder / "patches.vtp";
-  const auto planes = folder / "planes.vtp";
-  for (const char* name : {"patches.vtp", "graph.vtp", "planes.vtp"})
+  const auto read = [&](const char* name, const VtpContract& contract) {
     check_file(result, folder, name);
+    return read_vtp(folder / name, origin, contract);
+  };
+  // Two large files at once.
+  auto graph = std::async(std::launch::async, [&] {
+    check_file(result, folder, "graph.vtp");
+    return read_graph(result, folder);
+  });
   SceneData data;
-  data.patches = read_vtp(patches, origin,
-                          {Columns::OfPoints,
-                           {{"normal", 3},
-                            {"curvature", 1},
-                            {"area", 1},
-                            {"point_count", 1},
-                            {"plane", 1},
-                            {"label", 1}},
-                           patch_count});
-  data.graph = read_graph(result, folder);
+  data.patches = read("patches.vtp", {Columns::OfPoints,
+                                      {{"normal", 3},
+                                       {"curvature", 1},
+                                       {"area", 1},
+                                       {"point_count", 1},
+                                       {"plane", 1},
+                                       {"label", 1}},
+                                      patch_count});
+  data.graph = graph.get();
   // A hull has no more corners than its points.
-  data.planes = read_vtp(planes, origin,
-                         {Columns::OfCells,
+  data.planes =
+      read("planes.vtp", {Columns::OfCells,
                           {{"plane", 1}, {"label", 1}, {"normal", 3}, {"distance", 1}, {"rms", 1}},
                           -1,
                           static_cast<vtkIdType>(result.cloud.size())});
+  const auto patches = folder / "patches.vtp", planes = folder / "planes.vtp";
   check_range(patches, *data.patches->GetPointData(), "plane", kNone, last_plane);
   check_range(patches, *data.patches->GetPointData(), "label", 0, last_label);
   check_range(planes, *data.planes->GetCellData(), "plane", 0, last_plane);

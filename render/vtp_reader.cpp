@@ -16,9 +16,8 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkTypeInt64Array.h>
-#include <vtkZLibDataCompressor.h>
+#include <zlib.h>
 
-#include "vtk_errors.hpp"
 #include "vtp_xml.hpp"
 
 namespace planescope::draw {
@@ -55,15 +54,14 @@ class AppendedData {
   void read(std::uint64_t offset, std::span<std::byte> to) const {
     const Blocks blocks = blocks_at(offset);
     const std::string bytes = decode(offset + encoded(4 * blocks.head.size()), blocks.packed());
-    const VtkSilence silence;  // what is wrong is said by us
-    const vtkNew<vtkZLibDataCompressor> zlib;
     std::size_t from = 0, at = 0;
     for (std::size_t b = 3; b < blocks.head.size(); ++b) {
       const std::size_t want = std::min<std::size_t>(blocks.head[1], to.size() - at);
-      const std::size_t got =
-          zlib->Uncompress(reinterpret_cast<const unsigned char*>(bytes.data() + from),
-                           blocks.head[b], reinterpret_cast<unsigned char*>(to.data() + at), want);
-      if (got != want) fail("an array is damaged: zlib does not unpack it");
+      uLongf got = want;
+      const int status =
+          ::uncompress(reinterpret_cast<Bytef*>(to.data() + at), &got,
+                       reinterpret_cast<const Bytef*>(bytes.data() + from), blocks.head[b]);
+      if (status != Z_OK || got != want) fail("an array is damaged: zlib does not unpack it");
       from += blocks.head[b];
       at += want;
     }
@@ -106,18 +104,22 @@ class AppendedData {
     static const std::array<std::uint8_t, 256> kValue = digits();
     if (offset > text_.size() || encoded(count) > text_.size() - offset)
       fail("an array goes beyond the end of the file");
-    std::string bytes;
-    bytes.reserve(count + 2);
-    for (std::size_t i = offset; bytes.size() < count; i += 4) {
-      std::uint32_t group = 0;
-      for (std::size_t k = 0; k < 4; ++k) {
-        const char c = text_[i + k];
-        const std::uint8_t value = kValue[static_cast<unsigned char>(c)];
-        if (value > 63 && c != '=') fail("the appended data are no base64");
-        group = group << 6 | (value & 63);
-      }
-      for (const int shift : {16, 8, 0}) bytes.push_back(static_cast<char>(group >> shift & 255));
+    std::string bytes(encoded(count) / 4 * 3, '\0');
+    unsigned bits = 0;  // of all: the 64 of what is no digit stays
+    const auto digit = [&](std::size_t i) {
+      const auto c = static_cast<unsigned char>(text_[i]);
+      if (c != '=') bits |= kValue[c];
+      return std::uint32_t{kValue[c]} & 63U;
+    };
+    char* out = bytes.data();
+    for (std::size_t i = offset, end = offset + encoded(count); i < end; i += 4) {
+      const std::uint32_t group =
+          digit(i) << 18 | digit(i + 1) << 12 | digit(i + 2) << 6 | digit(i + 3);
+      *out++ = static_cast<char>(group >> 16 & 255);
+      *out++ = static_cast<char>(group >> 8 & 255);
+      *out++ = static_cast<char>(group & 255);
     }
+    if ((bits & 64) != 0) fail("the appended data are no base64");
     bytes.resize(count);
     return bytes;
   }

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "window.hpp"
 
-#include <cstring>
-
 #include <vtkCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
+#include <vtkOpenGLRenderWindow.h>
 #include <vtkUnsignedCharArray.h>
 #ifdef PLANESCOPE_VTK_OFFSCREEN
 #include <GL/gl.h>
@@ -65,24 +64,27 @@ Window::~Window() {
   window_->RemoveAllObservers();
 }
 
-Image Window::draw(int width, int height) {
+void Window::prepare(int width, int height) {
   const VtkSilence errors;
   window_->SetSize(width, height);
+  window_->MakeCurrent();
+  vtkOpenGLRenderWindow::SafeDownCast(window_)->OpenGLInit();
+  window_->Start();
+}
+
+Image Window::draw(int width, int height, int scale) {
+  const VtkSilence errors;
+  const int across = width * scale, down = height * scale;
+  window_->SetSize(across, down);
   window_->Render();
   vtkNew<vtkUnsignedCharArray> pixels;
   const int back_buffer = 0;
-  window_->GetPixelData(0, 0, width - 1, height - 1, back_buffer, pixels);
-  Image image{width, height, {}};
-  const std::size_t row = static_cast<std::size_t>(width) * 3;
-  image.rgb.resize(row * static_cast<std::size_t>(height));
-  if (errors.any() || static_cast<std::size_t>(pixels->GetNumberOfValues()) != image.rgb.size()) {
+  window_->GetPixelData(0, 0, across - 1, down - 1, back_buffer, pixels);
+  const std::ptrdiff_t row = std::ptrdiff_t{3} * across;
+  if (errors.any() || pixels->GetNumberOfValues() != row * down)
     throw Error(Error::Kind::Rendering, "cannot draw: " + errors.first());
-  }
-  for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y) {  // OpenGL's go bottom up
-    const auto from = static_cast<vtkIdType>((static_cast<std::size_t>(height) - 1 - y) * row);
-    std::memcpy(image.rgb.data() + y * row, pixels->GetPointer(from), row);
-  }
-  return image;
+  // OpenGL's rows go from the bottom up.
+  return downsample({pixels->GetPointer(row * (down - 1)), -row, across, down}, scale);
 }
 
 }  // namespace planescope::draw

@@ -31,9 +31,13 @@ class Window {
   /// GL_RENDERER.
   const std::string& renderer() const { return renderer_; }
 
-  /// Draws at the given size [pixel] and reads the picture back.
+  /// Takes the memory for pictures of that size now: half as long as such a picture takes to draw.
+  void prepare(int width, int height);
+
+  /// Draws `scale` times (1 to 4) as large as the given size [pixel], and reads the picture back
+  /// at that size.
   /// \throws Error{Kind::Rendering} VTK reports an error.
-  Image draw(int width, int height);
+  Image draw(int width, int height, int scale = 1);
 
  private:
   void bind_context();

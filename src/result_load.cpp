@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the planescope authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <future>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -169,8 +170,9 @@ Result load_result(const fs::path& folder) {
   Result result;
   result.options_hash = hash_text(root["options"].dump());
   read_json(root, result);
+  auto points = std::async(std::launch::async, [&] { read_points(points_file, result); });
   check_hash(points_file, root["points_hash"].text());
-  read_points(points_file, result);
+  points.get();
   check_points(result, points_file);
   return result;
 }

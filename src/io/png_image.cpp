@@ -73,7 +73,8 @@ void on_flush(png_structp) {}
 // Makes room for the image, whose size libpng has checked against kMostImageSide.
 void make_rows(Exchange& exchange, PngKind kind) {
   PngPixels& pixels = exchange.pixels;
-  const std::size_t stride = std::size_t{pixels.width} * (kind == PngKind::Depth ? 2 : 3);
+  const std::size_t bytes = kind == PngKind::Depth ? 2 : kind == PngKind::DrawingWithAlpha ? 4 : 3;
+  const std::size_t stride = std::size_t{pixels.width} * bytes;
   pixels.samples.resize(stride * pixels.height);
   exchange.rows.resize(pixels.height);
   for (std::size_t y = 0; y < pixels.height; ++y) {
@@ -125,11 +126,19 @@ bool write(Exchange& exchange, PngKind kind) {
   exchange.info = png_create_info_struct(png);
   if (exchange.info == nullptr) png_error(png, "out of memory");
   png_set_write_fn(png, &exchange, on_write, on_flush);
-  const bool depth = kind == PngKind::Depth;
+  const bool depth = kind == PngKind::Depth, alpha = kind == PngKind::DrawingWithAlpha;
   png_set_IHDR(png, exchange.info, exchange.pixels.width, exchange.pixels.height, depth ? 16 : 8,
-               depth ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
-               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  png_set_compression_level(png, 3);  // a third of the time of the usual 6, files a tenth larger
+               depth   ? PNG_COLOR_TYPE_GRAY
+               : alpha ? PNG_COLOR_TYPE_RGBA
+                       : PNG_COLOR_TYPE_RGB,
+               PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  if (kind == PngKind::Drawing || alpha) {
+    // Half the time of trying all filters, and files of the same size.
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
+    png_set_compression_level(png, 2);
+  } else {
+    png_set_compression_level(png, 3);  // a third of the time of the usual 6, files a tenth larger
+  }
   png_write_info(png, exchange.info);
   if (depth && std::endian::native == std::endian::little) png_set_swap(png);
   png_write_image(png, exchange.rows.data());
@@ -154,9 +163,9 @@ PngPixels decode_png(const std::string& name, std::span<const std::byte> bytes, 
                                       ": not a readable PNG: " + exchange.error.data());
 }
 
-std::string encode_png(const PngPixels& pixels, PngKind kind) {
+std::string encode_png(PngPixels pixels, PngKind kind) {
   Exchange exchange(true);
-  exchange.pixels = pixels;
+  exchange.pixels = std::move(pixels);
   make_rows(exchange, kind);
   if (write(exchange, kind)) return std::move(exchange.output);
   throw Error(Error::Kind::Internal, std::string("libpng refuses: ") + exchange.error.data());

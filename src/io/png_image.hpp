@@ -19,6 +19,9 @@ struct PngPixels {
 enum class PngKind {
   Depth,  ///< grey, 16 bits; nothing else is taken
   Color,  ///< RGB, 8 bits; other kinds are converted
+  // For writing:
+  Drawing,           ///< RGB, 8 bits, with flat areas
+  DrawingWithAlpha,  ///< the same in RGBA
 };
 
 bool is_png(std::span<const std::byte> bytes);
@@ -28,6 +31,6 @@ bool is_png(std::span<const std::byte> bytes);
 PngPixels decode_png(const std::string& name, std::span<const std::byte> bytes, PngKind kind);
 
 /// The file's bytes. \throws Error{Kind::Internal} libpng refuses.
-std::string encode_png(const PngPixels& pixels, PngKind kind);
+std::string encode_png(PngPixels pixels, PngKind kind);
 
 }  // namespace planescope::io

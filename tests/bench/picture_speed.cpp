@@ -32,6 +32,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkUnsignedCharArray.h>
 
+#include "freed_memory.hpp"
 #include "geometry.hpp"
 #include "inputs.hpp"
 #include "planescope/pipeline.hpp"
@@ -184,6 +185,7 @@ int run(std::uint64_t points) {
 }  // namespace planescope::bench
 
 int main(int argc, char** argv) {
+  planescope::keep_freed_memory();  // as the command line does
   try {
     const bool given = argc == 3 && std::string(argv[1]) == "--points";
     return planescope::bench::run(given ? std::stoull(argv[2]) : 1'000'000);
