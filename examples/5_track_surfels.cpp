@@ -36,7 +36,7 @@ int main() {
     const PointCloud room = synthesize({.points = 600'000, .normals = true}).cloud;
     TrackOptions options;
     options.interval = 5;  // segmented every fifth frame,
-    options.share = 0.1;   // and a tenth of the map patched in each of the others
+    options.share = 0.2;   // and a fifth of the map patched in each of the first two
     MapTracker tracker(options);
     for (std::uint32_t frame = 0; frame < 40; ++frame) {
       // What this frame changed: the cells of a slab of 32 cm, wider than the room after all.

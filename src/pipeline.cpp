@@ -25,20 +25,23 @@ namespace {
 // Books the time that passes to the stage that runs.
 class StageClock {
  public:
+  explicit StageClock(double& first) : running_(&first) {}
+  ~StageClock() { start(*running_); }
+  StageClock(const StageClock&) = delete;
+  StageClock& operator=(const StageClock&) = delete;
+
   // Ends the running stage and starts the one that `next` counts.
   void start(double& next) {
     const auto now = Clock::now();
-    if (running_ != nullptr) {
-      *running_ += std::chrono::duration<double, std::milli>(now - since_).count();
-    }
+    *running_ += std::chrono::duration<double, std::milli>(now - since_).count();
     running_ = &next;
     since_ = now;
   }
 
  private:
   using Clock = std::chrono::steady_clock;
-  double* running_ = nullptr;
-  Clock::time_point since_;
+  double* running_;
+  Clock::time_point since_ = Clock::now();
 };
 
 std::vector<Plane> selected_planes(const PlaneSelection& selection) {
@@ -92,13 +95,18 @@ std::size_t count_planes(const std::vector<SupportingPlane>& planes, PlaneRole r
   return static_cast<std::size_t>(std::ranges::count(planes, role, &SupportingPlane::role));
 }
 
-void add_faces(Segmentation& scene, const PlaneOptions& options, HeldPlanes* held) {
-  ObjectFaces faces =
-      find_object_faces(scene.graph, scene.planes, scene.patch_plane, options, held);
-  if (held != nullptr) held->faces = std::move(faces.hypotheses);
+std::vector<HeldPlane> select_faces(Segmentation& scene, const PlaneOptions& options,
+                                    const HeldPlanes* held) {
+  const StageClock clock(scene.times.assignment);
+  return select_object_faces(scene.graph, scene.planes, scene.patch_plane, options, held);
+}
+
+void add_faces(Segmentation& scene, const PlaneOptions& options,
+               const std::vector<HeldPlane>& faces) {
+  ObjectFaces placed = place_object_faces(scene.graph, scene.patch_plane, faces, options);
   const auto first = static_cast<std::int32_t>(scene.planes.size());
-  scene.planes.insert(scene.planes.end(), faces.planes.begin(), faces.planes.end());
-  scene.patch_face = std::move(faces.patch_face);
+  scene.planes.insert(scene.planes.end(), placed.planes.begin(), placed.planes.end());
+  scene.patch_face = std::move(placed.patch_face);
   for (std::int32_t& face : scene.patch_face) face = face == kNone ? kNone : first + face;
 }
 
@@ -112,56 +120,69 @@ void settle_planes(Segmentation& scene, const PlaneOptions& options,
   steady_normals(scene.graph.patches, scene.planes, scene.patch_face);
 }
 
-void segment_graph(Segmentation& scene, const Options& options, const Progress& progress,
-                   HeldPlanes* held) {
-  StageTimes& times = scene.times;
-  StageClock clock;
-  clock.start(times.hypotheses);
-  scene.selection = renew_planes(  // IV-A, IV-B
-      scene.graph, options.planes, held, [&](std::string_view stage, double fraction) {
-        if (stage == "selection" && fraction == 0) clock.start(times.selection);
+void find_planes(Segmentation& scene, const Options& options, const Progress& progress,
+                 HeldPlanes* held) {
+  StageClock clock(scene.times.hypotheses);
+  scene.selection =
+      renew_planes(scene.graph, options.planes, held, [&](std::string_view stage, double fraction) {
+        if (stage == "selection" && fraction == 0) clock.start(scene.times.selection);
         if (progress) progress(stage, fraction);
       });
-  if (held != nullptr) {
-    held->supporting.clear();
-    for (const PlaneHypothesis& h : scene.selection.hypotheses) {
-      held->supporting.push_back({h.plane, h.selected});
-    }
+  if (held == nullptr) return;
+  held->supporting.clear();
+  for (const PlaneHypothesis& h : scene.selection.hypotheses) {
+    held->supporting.push_back({h.plane, h.selected});
   }
-  clock.start(times.assignment);
-  const std::vector<std::int32_t> assignment = assign_planes(
-      scene.graph, selected_planes(scene.selection), options.planes, progress);  // IV-C
+}
+
+void assign_patches(Segmentation& scene, const Options& options, const Progress& progress) {
+  const StageClock clock(scene.times.assignment);
+  const std::vector<std::int32_t> assignment =
+      assign_planes(scene.graph, selected_planes(scene.selection), options.planes, progress);
   Support support = refit_planes(scene.graph, scene.selection, assignment);
   scene.planes = std::move(support.planes);
   scene.patch_plane = std::move(support.patch_plane);
-  add_faces(scene, options.planes, held);
+}
+
+void complete_planes(Segmentation& scene, const Options& options,
+                     const std::vector<HeldPlane>& faces) {
+  const StageClock clock(scene.times.assignment);
+  add_faces(scene, options.planes, faces);
   settle_planes(scene, options.planes, direction_tolerance(options));
-  clock.start(times.edges);
-  scene.edges = classify_edges(scene.graph, scene.patch_plane, options.edges);  // III-B, eq. (1)
-  clock.start(times.segments);
+}
+
+void connect_patches(Segmentation& scene, const Options& options) {
+  StageClock clock(scene.times.edges);
+  scene.edges = classify_edges(scene.graph, scene.patch_plane, options.edges);
+  clock.start(scene.times.segments);
   scene.segments = connect_segments(scene.graph, scene.edges, scene.patch_plane, options.segments);
-  double done = 0;
-  clock.start(done);
+}
+
+void segment_graph(Segmentation& scene, const Options& options, const Progress& progress) {
+  find_planes(scene, options, progress);
+  assign_patches(scene, options, progress);
+  complete_planes(scene, options, select_faces(scene, options.planes));
+  connect_patches(scene, options);
 }
 
 Segmentation segment(const PointCloud& cloud, const Options& options, const Progress& progress) {
   options.validate();
   Segmentation scene;
   scene.options = options;
-  StageClock clock;
-  clock.start(scene.times.patches);
   const bool scattered = options.patches.smoothing > 0;
-  const PointCloud smooth =
-      scattered ? smooth_points(cloud, options.patches.smoothing) : PointCloud();
+  PointCloud smooth;
   const PointCloud& surface = scattered ? smooth : cloud;
-  scene.graph = make_patches(surface, options.patches, progress);  // III-A
-  if (scene.graph.patches.empty()) refuse_scale(cloud, options.patches);
-  double other = 0;
-  clock.start(other);
+  {
+    const StageClock clock(scene.times.patches);
+    if (scattered) smooth = smooth_points(cloud, options.patches.smoothing);
+    scene.graph = make_patches(surface, options.patches, progress);  // III-A
+    if (scene.graph.patches.empty()) refuse_scale(cloud, options.patches);
+  }
   segment_graph(scene, options, progress);
-  clock.start(scene.times.segments);
-  label_points(scene, recut_borders(scene, surface));
-  clock.start(other);
+  {
+    const StageClock clock(scene.times.segments);
+    label_points(scene, recut_borders(scene, surface));
+  }
   return scene;
 }
 

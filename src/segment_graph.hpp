@@ -11,16 +11,34 @@
 namespace planescope {
 
 /// What segment() makes of patches: scene.graph is there; all but the labels of points is made
-/// anew, and scene.times. \param held what an earlier run over most of these patches found: the
-/// search goes on from it, and its planes become those of this run. Null: from nothing.
-void segment_graph(Segmentation& scene, const Options& options, const Progress& progress = {},
-                   HeldPlanes* held = nullptr);
+/// anew, and scene.times. The stages below, one after the other.
+void segment_graph(Segmentation& scene, const Options& options, const Progress& progress = {});
 
-// Stages of segment_graph().
+/// Hypotheses and selection (IV-A, IV-B). \param held what an earlier run over most of these
+/// patches found: the search goes on from it, and its planes become those of this run. Null: from
+/// nothing.
+void find_planes(Segmentation& scene, const Options& options, const Progress& progress = {},
+                 HeldPlanes* held = nullptr);
 
-/// Finds the faces: they come behind the supporting planes, which alone cut (eq. (1)).
-/// \param held as above.
-void add_faces(Segmentation& scene, const PlaneOptions& options, HeldPlanes* held = nullptr);
+/// Which patches are on them (IV-C), and the planes refitted to these.
+void assign_patches(Segmentation& scene, const Options& options, const Progress& progress = {});
+
+/// The hypotheses of faces among the other patches, the faces selected. \param held as above.
+std::vector<HeldPlane> select_faces(Segmentation& scene, const PlaneOptions& options,
+                                    const HeldPlanes* held = nullptr);
+
+/// These faces, and all planes in their final place: add_faces(), settle_planes().
+void complete_planes(Segmentation& scene, const Options& options,
+                     const std::vector<HeldPlane>& faces);
+
+/// Edges (III-B, eq. (1)) and segments.
+void connect_patches(Segmentation& scene, const Options& options);
+
+// Parts of complete_planes().
+
+/// The selected ones come behind the supporting planes, which alone cut (eq. (1)).
+void add_faces(Segmentation& scene, const PlaneOptions& options,
+               const std::vector<HeldPlane>& faces);
 
 /// Planes of one direction share it; then margins are measured, and patches on faces get their
 /// normals.

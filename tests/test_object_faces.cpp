@@ -39,7 +39,10 @@ struct FurnishedFloor {
     options.face_area = 0.3;
   }
 
-  ObjectFaces find() const { return find_object_faces(graph, supporting, patch_plane, options); }
+  ObjectFaces find() const {
+    return place_object_faces(
+        graph, patch_plane, select_object_faces(graph, supporting, patch_plane, options), options);
+  }
 };
 
 TEST(ObjectFaces, AreTheLargeSidesInTheDirectionsOfTheRoom) {

@@ -215,10 +215,10 @@ TEST(Track, WorkIsSpreadOverUpdates) {
   const PointCloud room = make_room(4, 150'000);
   const Pieces pieces = all(room);
   std::size_t waiting = 1, tiles = 0, segmentations = 0;
-  for (std::uint32_t k = 0; k < 60 && (k == 0 || waiting > 0 || k % 4 != 0); ++k) {
+  for (std::uint32_t k = 0; k < 120 && (k == 0 || waiting > 0 || k % 4 != 0); ++k) {
     const TrackStep step = tracker.update(k, k == 0 ? pieces : Pieces{});
-    EXPECT_EQ(step.tiles > 0, k % 4 != 3 && (k == 0 || waiting > 0));
-    EXPECT_EQ(step.segmented && step.tiles > 0, false);
+    EXPECT_EQ(step.tiles > 0, k % 4 == 0 && (k == 0 || waiting > 0));
+    EXPECT_EQ(step.segmented, k % 4 == 3);
     waiting = step.waiting;
     tiles = std::max(tiles, step.tiles);
     segmentations += step.segmented ? 1 : 0;

@@ -65,8 +65,9 @@ struct TrackStep {
 };
 
 /// How to track. The defaults do all work in each update. A live system spreads it: `interval`
-/// updates share one segmentation, and each but the last of them re-patches at most `share` of the
-/// map, so that all of them take about as long.
+/// updates share one segmentation. The last three of them (fewer where there are fewer, but for the
+/// first) do a stage of it each; those before them re-patch at most `share` of the map each. So all
+/// of them take about as long.
 struct TrackOptions {
   Options engine = Options::room();
   double tile_size = 0.64;  ///< [m] the map is patched in cubes of this edge, each by itself; at
@@ -74,7 +75,7 @@ struct TrackOptions {
   /// [1] a piece counts as changed where its number of points changed by this share or its mean
   /// moved by this many voxels
   double change = 0.25;
-  std::uint32_t interval = 1;  ///< planes, edges and segments are found in every such update
+  std::uint32_t interval = 1;  ///< planes, edges and segments are there after every such update
   /// [1] of the map's points that one update re-patches at most, the tiles first that have changed
   /// most; the others wait. 1: all tiles that have changed.
   double share = 1;

@@ -71,9 +71,19 @@ std::vector<std::uint8_t> fresh_of(const FreePatches& part, const HeldPlanes& he
   return fresh;
 }
 
-std::vector<HeldPlane> select_faces(const FreePatches& part, double lambda,
-                                    const std::vector<SupportingPlane>& standing,
-                                    const PlaneOptions& options, const HeldPlanes* held) {
+}  // namespace
+
+// Steps of furniture are smaller than a room's.
+double face_sigma(double sigma) { return 0.42 * sigma; }
+
+std::vector<HeldPlane> select_object_faces(const PatchGraph& graph,
+                                           const std::vector<SupportingPlane>& supporting,
+                                           const std::vector<PatchPlane>& patch_plane,
+                                           const PlaneOptions& options, const HeldPlanes* held) {
+  if (options.face_area <= 0) return {};
+  const FreePatches part = find_free_patches(graph, patch_plane);
+  if (part.ids.empty()) return {};
+  const double lambda = face_lambda(graph.patches, options);
   const PlaneOptions small = face_options(options);
   const PatchIndex index(part.graph.patches);
   const Hypotheses found =
@@ -82,7 +92,7 @@ std::vector<HeldPlane> select_faces(const FreePatches& part, double lambda,
   SelectionEnergy energy =
       selection_energy(found.kept, pair_terms(found.kept, index, part.graph, small), lambda);
   for (std::size_t m = 0; m < energy.size(); ++m) {
-    for (const double cost : angle_costs(found.kept[m].plane, standing, options)) {
+    for (const double cost : angle_costs(found.kept[m].plane, supporting, options)) {
       energy.unary[m] += cost;
     }
   }
@@ -92,37 +102,27 @@ std::vector<HeldPlane> select_faces(const FreePatches& part, double lambda,
   return faces;
 }
 
-}  // namespace
-
-// Steps of furniture are smaller than a room's.
-double face_sigma(double sigma) { return 0.42 * sigma; }
-
-ObjectFaces find_object_faces(const PatchGraph& graph,
-                              const std::vector<SupportingPlane>& supporting,
-                              const std::vector<PatchPlane>& patch_plane,
-                              const PlaneOptions& options, const HeldPlanes* held) {
+ObjectFaces place_object_faces(const PatchGraph& graph, const std::vector<PatchPlane>& patch_plane,
+                               const std::vector<HeldPlane>& faces, const PlaneOptions& options) {
   ObjectFaces result;
   result.patch_face.assign(graph.patches.size(), kNone);
-  if (options.face_area <= 0) return result;
-  const FreePatches part = find_free_patches(graph, patch_plane);
-  if (part.ids.empty()) return result;
-  const double lambda = face_lambda(graph.patches, options);
-  result.hypotheses = select_faces(part, lambda, supporting, options, held);
   std::vector<Plane> planes;
-  for (const HeldPlane& h : result.hypotheses) {
+  for (const HeldPlane& h : faces) {
     if (h.selected) planes.push_back(h.plane);
   }
+  const FreePatches part = find_free_patches(graph, patch_plane);
+  if (part.ids.empty()) return result;
   const PlaneOptions small = face_options(options);
-  Support faces =
-      refit_pieces(part.graph, planes, assign_planes(part.graph, planes, small), small, lambda);
-  for (SupportingPlane& face : faces.planes) {
+  Support support = refit_pieces(part.graph, planes, assign_planes(part.graph, planes, small),
+                                 small, face_lambda(graph.patches, options));
+  for (SupportingPlane& face : support.planes) {
     face.role = PlaneRole::Face;
     face.hypothesis = 0;
   }
   for (std::size_t i = 0; i < part.ids.size(); ++i) {
-    result.patch_face[part.ids[i]] = faces.patch_plane[i].plane;
+    result.patch_face[part.ids[i]] = support.patch_plane[i].plane;
   }
-  result.planes = std::move(faces.planes);
+  result.planes = std::move(support.planes);
   return result;
 }
 

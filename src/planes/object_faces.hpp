@@ -15,7 +15,6 @@ namespace planescope {
 struct ObjectFaces {
   std::vector<SupportingPlane> planes;   ///< by area, descending
   std::vector<std::int32_t> patch_face;  ///< per patch: index into `planes`, or kNone
-  std::vector<HeldPlane> hypotheses;     ///< that entered their selection
 };
 
 /// Inlier distance of faces [m], from that of supporting planes.
@@ -26,11 +25,17 @@ double face_sigma(double sigma);
 /// paper's selection: the supporting planes stand, and a face pays four times the mean of eq. (6)'s
 /// angle term over them; among one another faces pay for overlap alone, because the sum over dozens
 /// of small faces, each a little noisy, would refuse them all.
-/// \param held what an earlier run found, or null.
-ObjectFaces find_object_faces(const PatchGraph& graph,
-                              const std::vector<SupportingPlane>& supporting,
-                              const std::vector<PatchPlane>& patch_plane,
-                              const PlaneOptions& options, const HeldPlanes* held = nullptr);
+/// \param held what an earlier run found, or null. \returns the hypotheses, the faces selected.
+std::vector<HeldPlane> select_object_faces(const PatchGraph& graph,
+                                           const std::vector<SupportingPlane>& supporting,
+                                           const std::vector<PatchPlane>& patch_plane,
+                                           const PlaneOptions& options,
+                                           const HeldPlanes* held = nullptr);
+
+/// Which patches are on those that are selected, and these fitted to their connected pieces.
+/// \param faces of select_object_faces() of the same graph.
+ObjectFaces place_object_faces(const PatchGraph& graph, const std::vector<PatchPlane>& patch_plane,
+                               const std::vector<HeldPlane>& faces, const PlaneOptions& options);
 
 /// What a plane has to say for itself as a face: the terms of the selection above but for overlap.
 struct FaceTerms {

@@ -9,12 +9,14 @@ namespace planescope {
 
 using track::Tile;
 
-/// One graph of all tiles, without the points: they are many, and wait for complete().
-void MapTracker::State::assemble() {
-  completed = false;
-  shown.clear();
+/// One graph of all tiles, without the points: they are many, and wait for complete(). Nothing
+/// where no tile was patched since the last time.
+void MapTracker::State::start_job() {
+  const auto is_fresh = [](const auto& entry) { return entry.second.fresh; };
+  if (std::ranges::none_of(tiles, is_fresh)) return;
+  job.emplace().held_before = held;
   held.fresh.clear();
-  PatchGraph graph;
+  PatchGraph& graph = job->scene.graph;
   graph.voxel_size = static_cast<float>(options.engine.patches.voxel_size);
   graph.patch_size = static_cast<float>(options.engine.patches.patch_size);
   std::map<BlockKey, std::uint32_t> first;
@@ -28,7 +30,7 @@ void MapTracker::State::assemble() {
       graph.adjacency.push_back({a.first + base, a.second + base, a.border});
     }
     held.fresh.resize(graph.patches.size(), tile.fresh ? 1 : 0);
-    shown.push_back(tile.patched);
+    job->shown.push_back(tile.patched);
   }
   for (const auto& [pair, borders] : joints) {
     for (const Adjacency& a : borders) {
@@ -39,20 +41,35 @@ void MapTracker::State::assemble() {
   std::ranges::sort(graph.adjacency, [](const Adjacency& a, const Adjacency& b) {
     return std::pair(a.first, a.second) < std::pair(b.first, b.second);
   });
-  scene = {};
-  scene.options = options.engine;
-  scene.graph = std::move(graph);
+  job->scene.options = options.engine;
 }
 
-/// Planes, edges and segments of all patches, and the objects that they are; nothing where no tile
-/// was patched since the last time.
-void MapTracker::State::segment_map(TrackStep& step) {
-  const auto is_fresh = [](const auto& entry) { return entry.second.fresh; };
-  if (std::ranges::none_of(tiles, is_fresh)) return;
+/// The stages of segment_graph(), in three parts of about the same length; the first one starts the
+/// job, the last one ends it. Without patches nothing is there yet, or everything is gone.
+void MapTracker::State::run_stage(std::size_t stage, TrackStep& step) {
+  if (stage == 0) start_job();
+  if (!job) return;
+  Segmentation& now = job->scene;
+  const bool any = !now.graph.patches.empty();
+  if (any && stage == 0) {
+    find_planes(now, options.engine, {}, &held);
+    assign_patches(now, options.engine);
+  }
+  if (any && stage == 1) held.faces = select_faces(now, options.engine.planes, &held);
+  if (any && stage == 2) {
+    complete_planes(now, options.engine, held.faces);
+    connect_patches(now, options.engine);
+  }
+  if (stage == 2) book_segments(step);
+}
+
+/// The job's segmentation becomes the last one, and its segments become objects.
+void MapTracker::State::book_segments(TrackStep& step) {
   step.segmented = true;
-  assemble();
-  // Else nothing is there yet, or everything is gone.
-  if (!scene.graph.patches.empty()) segment_graph(scene, options.engine, {}, &held);
+  completed = false;
+  shown = std::move(job->shown);
+  scene = std::move(job->scene);
+  job.reset();
   patch_count = scene.graph.patches.size();
   plane_count = scene.planes.size();
   segment_count = scene.segments.segments.size();

@@ -52,6 +52,39 @@ std::string_view name(TrackEventKind kind) {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
+namespace {
+
+constexpr std::size_t kStages = 3;  // of a segmentation: State::run_stage()
+
+/// What one of the updates that share a segmentation does. The last ones, up to three of them, have
+/// its stages, as evenly as can be; those before them patch. A single one does everything.
+struct Shares {
+  bool patches = true;
+  std::size_t first_stage = 0, end_stage = 0;  ///< stages of this update; of all so far: the end
+
+  Shares(std::uint64_t updates, std::uint64_t interval) {
+    const std::uint64_t place = (updates + interval - 1) % interval;  // from 0
+    const std::uint64_t with_stages =
+        std::clamp<std::uint64_t>(interval - 1, 1, std::uint64_t{kStages});
+    const std::uint64_t before = interval - with_stages;
+    patches = interval == 1 || place < before;
+    if (place < before) return;
+    first_stage = (place - before) * kStages / with_stages;
+    end_stage = (place - before + 1) * kStages / with_stages;
+  }
+};
+
+}  // namespace
+
+/// After reading: runs the stages that were done of a segmentation under way. They find what they
+/// found: tiles are as they were when it began.
+void MapTracker::State::take_up_job() {
+  const Shares last(updates, options.interval);
+  if (updates == 0 || last.end_stage == kStages) return;
+  TrackStep nobody_asks;
+  for (std::size_t s = 0; s < last.end_stage; ++s) run_stage(s, nobody_asks);
+}
+
 MapTracker::State::State(const TrackOptions& chosen) : options(chosen) {
   planescope::check(options);
   scene.options = options.engine;
@@ -148,9 +181,9 @@ TrackStep MapTracker::State::update(std::uint32_t frame, std::span<const Surface
     step.changed += put(pieces[i], means[i], exactly) ? 1 : 0;
   }
   ++updates;
-  const bool last = updates % options.interval == 0;
-  if (!last || options.interval == 1) step.tiles = repatch();
-  if (last) segment_map(step);
+  const Shares shares(updates, options.interval);
+  if (shares.patches) step.tiles = repatch();
+  for (std::size_t s = shares.first_stage; s < shares.end_stage; ++s) run_stage(s, step);
   const auto is_dirty = [](const auto& entry) { return entry.second.dirty; };
   step.waiting = static_cast<std::size_t>(std::ranges::count_if(tiles, is_dirty));
   step.points = point_count;

@@ -12,7 +12,7 @@
 /// - u64 each: updates; patches, planes and segments of the last segmentation
 /// - origin: u8 whether known, 3 f64
 /// - objects: the last number, u32; lists of u32: those alive, those that had a plane
-/// - planes held: supporting ones, faces
+/// - planes held: supporting ones, faces; where a segmentation is under way, as it found them
 /// - u64 count of tiles, each:
 ///   - its key; u64 count of pieces, each: key, u8 times, cloud
 ///   - u64 points changed; u8 flags: 1 dirty, 2 patched, 4 fresh
@@ -20,8 +20,9 @@
 ///   points
 ///   - patched, not fresh: list of u32, the object of each patch
 ///   - fresh: memory, votes
-/// Patches, rims and joints follow from these, and are made again: nothing that is read can
-/// contradict them. What the last segmentation looked like is not kept.
+/// Patches, rims, joints and the stages of a segmentation under way follow from these, and are made
+/// again: nothing that is read can contradict them. What the last segmentation looked like is not
+/// kept.
 namespace planescope {
 
 using track::PatchedTile;
@@ -31,7 +32,7 @@ using track::TilePoints;
 
 namespace {
 
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 constexpr const char* kName = "tracker";
 enum Flag : std::uint8_t { kDirty = 1, kPatched = 2, kFresh = 4 };
 
@@ -73,8 +74,9 @@ void MapTracker::write(std::ostream& stream) const {
   to.put<std::uint8_t>(state.origin ? 1 : 0);
   for (int k = 0; k < 3; ++k) to.put(state.origin ? (*state.origin)[k] : 0.0);
   state.book.write(to);
-  track::put_planes(to, state.held.supporting);
-  track::put_planes(to, state.held.faces);
+  const HeldPlanes& held = state.job ? state.job->held_before : state.held;
+  track::put_planes(to, held.supporting);
+  track::put_planes(to, held.faces);
   to.put<std::uint64_t>(state.tiles.size());
   for (const auto& [key, tile] : state.tiles) {
     track::put_key(to, key);
@@ -199,6 +201,7 @@ MapTracker MapTracker::read(std::istream& stream, const std::string& name) try {
     }
   }
   state.join(keys);
+  state.take_up_job();
   return tracker;
 } catch (const Error& error) {
   if (error.kind() == Error::Kind::Input) throw;

@@ -42,6 +42,14 @@ struct MapTracker::State {
   std::optional<Eigen::Vector3d> origin;
   std::size_t point_count = 0;  ///< of all pieces
 
+  /// A segmentation that several updates share, a stage or more each. No tile is patched meanwhile.
+  struct Job {
+    std::vector<std::shared_ptr<const track::PatchedTile>> shown;  ///< the tiles as it sees them
+    Segmentation scene;
+    HeldPlanes held_before;  ///< the state's, when it began
+  };
+  std::optional<Job> job;
+
   /// The last segmentation, and the tiles as it saw them.
   std::vector<std::shared_ptr<const track::PatchedTile>> shown;
   PointCloud map;
@@ -60,6 +68,7 @@ struct MapTracker::State {
   void remove(const BlockKey& key, track::Tile& tile);
   BlockKey place(const Eigen::Vector3d& mean, const BlockKey* before) const;
   TrackStep update(std::uint32_t frame, std::span<const SurfacePiece> pieces, bool exactly);
+  void take_up_job();
 
   // Tiles into patches: repatch.cpp.
   std::vector<BlockKey> most_changed() const;
@@ -67,8 +76,9 @@ struct MapTracker::State {
   void join(const std::vector<BlockKey>& keys);
 
   // Patches into segments: assembly.cpp.
-  void assemble();
-  void segment_map(TrackStep& step);
+  void start_job();
+  void run_stage(std::size_t stage, TrackStep& step);
+  void book_segments(TrackStep& step);
   void book_objects();
   void complete();
   std::vector<track::Overlap> overlaps();

@@ -83,7 +83,7 @@ void segment_without(Segmentation& scene, const Options& options, const Parts& p
     for (SupportingPlane& plane : scene.planes)
       plane.plane = scene.selection.hypotheses[plane.hypothesis].plane;
   }
-  add_faces(scene, options.planes);
+  add_faces(scene, options.planes, select_faces(scene, options.planes));
   DirectionTolerance tolerance = direction_tolerance(options);
   if (!parts.shared_directions) tolerance.angle = 0;
   settle_planes(scene, options.planes, tolerance);
