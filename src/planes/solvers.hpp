@@ -39,21 +39,25 @@ class FlipState {
  public:
   /// Starts empty: E = 0. The energy must outlive it.
   explicit FlipState(const SelectionEnergy& energy)
-      : energy_(&energy), x_(energy.size(), false), field_(energy.unary) {}
+      : energy_(&energy),
+        x_(energy.size(), false),
+        field_(energy.unary),
+        sign_(energy.size(), 1.0) {}
 
   std::size_t size() const { return x_.size(); }
   const std::vector<bool>& x() const { return x_; }
   double energy() const { return value_; }
 
   /// E after flipping m minus E now.
-  double change(std::size_t m) const { return x_[m] ? -field_[m] : field_[m]; }
+  double change(std::size_t m) const { return sign_[m] * field_[m]; }
 
   void flip(std::size_t m) {
     value_ += change(m);
-    const double sign = x_[m] ? -1 : 1;
+    const double sign = sign_[m];
     const double* row = &energy_->pairwise[m * size()];
     for (std::size_t k = 0; k < size(); ++k) field_[k] += sign * row[k];
     x_[m] = !x_[m];
+    sign_[m] = -sign;
   }
 
   /// The flip that lowers E most (lowest index of equal ones); size() if none does by more than
@@ -73,6 +77,7 @@ class FlipState {
   const SelectionEnergy* energy_;
   std::vector<bool> x_;
   std::vector<double> field_;  ///< D_m + sum of V_mn x_n
+  std::vector<double> sign_;   ///< of what a flip does: 1 where x is false, else -1
   double value_ = 0;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the planescope authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <limits>
 #include <random>
 
 #include "planes/random.hpp"
@@ -9,15 +10,18 @@
 namespace planescope {
 namespace {
 
-/// The best flip that is allowed at this step, or size() if none is.
+/// The best flip that is allowed at this step, the first of equal ones, or size() if none is.
 std::size_t best_move(const FlipState& state, const std::vector<std::uint64_t>& tabu_until,
                       std::uint64_t step, double best_energy) {
   std::size_t best = state.size();
+  double least = std::numeric_limits<double>::infinity();
   for (std::size_t m = 0; m < state.size(); ++m) {
     const double change = state.change(m);
+    if (!(change < least)) continue;  // mostly: what is tabu need not be asked
     const bool aspires = state.energy() + change < best_energy - FlipState::kRounding;
     if (tabu_until[m] > step && !aspires) continue;
-    if (best == state.size() || change < state.change(best)) best = m;
+    best = m;
+    least = change;
   }
   return best;
 }

@@ -32,15 +32,20 @@ void MapTracker::State::start_job() {
     held.fresh.resize(graph.patches.size(), tile.fresh ? 1 : 0);
     job->shown.push_back(tile.patched);
   }
+  // The tiles' own pairs are in order; those between tiles are few.
+  const auto between = static_cast<std::ptrdiff_t>(graph.adjacency.size());
   for (const auto& [pair, borders] : joints) {
     for (const Adjacency& a : borders) {
       graph.adjacency.push_back(
           {a.first + first.at(pair.first), a.second + first.at(pair.second), a.border});
     }
   }
-  std::ranges::sort(graph.adjacency, [](const Adjacency& a, const Adjacency& b) {
+  const auto by_patches = [](const Adjacency& a, const Adjacency& b) {
     return std::pair(a.first, a.second) < std::pair(b.first, b.second);
-  });
+  };
+  const auto joined = graph.adjacency.begin() + between;
+  std::sort(joined, graph.adjacency.end(), by_patches);
+  std::inplace_merge(graph.adjacency.begin(), joined, graph.adjacency.end(), by_patches);
   job->scene.options = options.engine;
 }
 
