@@ -5,6 +5,7 @@
 #include <toml++/toml.h>
 
 #include <charconv>
+#include <fstream>
 
 #include "planescope/error.hpp"
 
@@ -34,13 +35,43 @@ std::optional<std::string> text(const toml::node& node) {
                   "as [planes] sigma = 0.03");
 }
 
+/// The file's text, ASCII: Debian's toml++ is undefined where some letters stand in place of a
+/// value's end. Comments may hold any; they are blanked.
+/// \throws Error{Kind::Input} missing, too large, or with other letters elsewhere.
+std::string read_ascii(const std::filesystem::path& file) {
+  constexpr std::uintmax_t kMost = 1 << 20;  // [byte]
+  const auto fail = [&](const std::string& what) {
+    throw Error(Error::Kind::Input, file.string() + what);
+  };
+  std::error_code failure;
+  const bool regular = std::filesystem::is_regular_file(file, failure);  // a pipe would hang
+  const std::uintmax_t size = regular ? std::filesystem::file_size(file, failure) : 0;
+  if (!regular || failure) fail(": missing, or no file; name a TOML file with options");
+  if (size > kMost)
+    fail(": has " + std::to_string(size) + " bytes; expected options, at most 1 MB");
+  std::string text(size, '\0');
+  std::ifstream in(file, std::ios::binary);
+  if (!in.read(text.data(), static_cast<std::streamsize>(size))) fail(": cannot be read");
+  std::size_t line = 1;
+  bool comment = false;
+  for (char& c : text) {
+    if (c == '\n') ++line;
+    comment = c != '\n' && (comment || c == '#');
+    if (static_cast<unsigned char>(c) < 128) continue;
+    if (!comment)
+      fail(":" + std::to_string(line) + ": has a letter that is not ASCII; only comments may");
+    c = ' ';
+  }
+  return text;
+}
+
 toml::table parse(const std::filesystem::path& file) {
+  const std::string text = read_ascii(file);
   try {
-    return toml::parse_file(file.string());
+    return toml::parse(std::string_view(text), file.string());
   } catch (const toml::parse_error& error) {
-    const bool opened = error.source().begin.line > 0;
-    throw Error(Error::Kind::Input, (opened ? place(file, error.source()) : file.string()) + ": " +
-                                        std::string(error.description()));
+    throw Error(Error::Kind::Input,
+                place(file, error.source()) + ": " + std::string(error.description()));
   }
 }
 
