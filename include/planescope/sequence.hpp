@@ -115,6 +115,9 @@ class Sequence {
   SequenceLayout layout() const noexcept { return layout_; }
   const std::filesystem::path& folder() const noexcept { return folder_; }
 
+  /// Colour images are read, where there are any.
+  bool with_color() const noexcept { return color_; }
+
   /// Frames left out: their pose is not finite ("tracking lost").
   std::size_t lost() const noexcept { return lost_; }
   /// Frames left out: no pose, or (Tum) none near enough in time.

@@ -124,11 +124,18 @@ void demand(double difference, double tolerance, const std::string& what) {
   throw Error(Error::Kind::Mismatch, what + " " + numbers.data());
 }
 
+/// \throws Error{Kind::Input} also where a file is not the one that result.json was written with.
+Result load_whole(const fs::path& folder) {
+  Result result = load_result(folder);
+  for (const auto& [name, hash] : result.file_hashes) check_file(result, folder, name);
+  return result;
+}
+
 void compare_folders(const Arguments& a) {
   if (!a.difference.empty())
     throw Error(Error::Kind::Usage,
                 "-o draws the difference of pictures; result folders have none");
-  const Result first = load_result(a.a), second = load_result(a.b);
+  const Result first = load_whole(a.a), second = load_whole(a.b);
   const ResultComparison found =
       compare_results(first, stored_edges(first, a.a), second, stored_edges(second, a.b), a.planes);
   const double tolerance = a.tolerance.value_or(kResultTolerance);

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 constexpr const char* kName = "track";
 
 std::array<double, 9> camera_numbers(const DepthCamera& camera) {
@@ -63,6 +63,11 @@ std::size_t check_sequence(io::StateReader& from, const Sequence& sequence,
                     ": was made with another camera, depth scale or range of depths; give the "
                     "same --intrinsics, --depth-scale, --min-depth and --max-depth");
   }
+  const bool with_color = from.get<std::uint8_t>() != 0;
+  if (with_color != sequence.with_color()) {
+    throw Error(Error::Kind::Usage, file + ": was made with" + (with_color ? "out" : "") +
+                                        " --no-color; give the options of that run");
+  }
   const std::size_t done = from.length(4 + 12 * sizeof(double));
   for (std::size_t i = 0; i < done; ++i) {
     const auto number = from.get<std::uint32_t>();
@@ -108,6 +113,7 @@ void write_snapshot(const TrackRun& run, const Sequence& sequence, const fs::pat
   std::ofstream stream(folder / kSnapshotFile, std::ios::binary);
   io::StateWriter to(stream, kName, kVersion);
   for (const double value : camera_numbers(sequence.camera())) to.put(value);
+  to.put<std::uint8_t>(sequence.with_color() ? 1 : 0);
   to.put<std::uint64_t>(run.done);
   for (std::size_t i = 0; i < run.done; ++i) {
     to.put(sequence.info(i).number);

@@ -9,6 +9,11 @@ mkdir -p "$shared"
 "$program" synthesize -o "$shared/room.ply" --points 40000 --random-seed 5 -q
 "$program" synthesize -o "$shared/other.ply" --points 1000 -q
 "$program" segment "$shared/room.ply" -o "$shared/result" --no-pictures -q
+# The same with the graph of another run.
+"$program" segment "$shared/room.ply" -o "$shared/foreign" --no-pictures -q --edges.concavity_tolerance 1
+cp "$shared/foreign/graph.vtp" "$shared/graph.vtp"
+cp -r "$shared/result/." "$shared/foreign"
+mv "$shared/graph.vtp" "$shared/foreign"
 
 # A level plane of 1 x 1 m, and a cloud that is in millimetres: 3 x 3 m as 3000 x 3000.
 plane() { # NAME SIZE
