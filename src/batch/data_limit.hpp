@@ -12,8 +12,8 @@ namespace planescope {
 /// shadow of terabytes is beyond every limit.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr bool kLimitsData = false;
-#elif defined(__clang__) && __has_feature(address_sanitizer)
-inline constexpr bool kLimitsData = false;
+#elif defined(__has_feature)  // clang
+inline constexpr bool kLimitsData = !__has_feature(address_sanitizer);
 #else
 inline constexpr bool kLimitsData = true;
 #endif
