@@ -18,8 +18,8 @@ constexpr const char* kStages[] = {"patches",    "hypotheses", "selection",
 
 }  // namespace
 
-const std::vector<Measure>& measures() {
-  static const std::vector<Measure> all = {
+const std::vector<TableMeasure>& measures() {
+  static const std::vector<TableMeasure> all = {
       {"weighted_overlap", "WO %", "WO", "/labels/weighted_overlap", 100, 2, false},
       {"overlap", "UO %", "UO", "/labels/overlap", 100, 2, false},
       {"over_segmentation", "F_os %", "$F_{os}$", "/labels/over_segmentation", 100, 2, false},
@@ -47,7 +47,7 @@ MeasureValues read_measures(const std::filesystem::path& scores_json,
   MeasureValues values;
   if (!scores_json.empty()) {
     const Json scores = read_json(scores_json, kHint);
-    for (const Measure& measure : measures()) {
+    for (const TableMeasure& measure : measures()) {
       if (measure.source.empty()) continue;
       const Json::json_pointer place(measure.source);
       if (scores.contains(place) && scores[place].is_number())

@@ -11,7 +11,7 @@
 namespace planescope {
 
 /// One column of the table.
-struct Measure {
+struct TableMeasure {
   std::string key;    ///< in JSON and CSV: `weighted_overlap`
   std::string title;  ///< in Markdown: `WO %`
   std::string latex;  ///< its title in LaTeX
@@ -26,7 +26,7 @@ struct Measure {
 inline constexpr const char* kTimeMeasure = "time_ms";
 
 /// Every measure, in the order of the columns.
-const std::vector<Measure>& measures();
+const std::vector<TableMeasure>& measures();
 
 /// Values of one scene by the measures' keys; those that do not apply (planes of a method without
 /// planes) are absent.

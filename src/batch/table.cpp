@@ -14,7 +14,7 @@ using Values = std::map<std::string, std::vector<double>>;  // by measure
 
 TableRow make_row(const std::string& method, const std::string& against, const Values& values) {
   TableRow row{method, against, {}};
-  for (const Measure& measure : measures()) {
+  for (const TableMeasure& measure : measures()) {
     const auto found = values.find(measure.key);
     if (found == values.end()) continue;
     row.cells[measure.key] =

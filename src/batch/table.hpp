@@ -17,7 +17,7 @@ namespace planescope {
 struct TableRow {
   std::string method;
   std::string against;  ///< of a difference, taken scene by scene; empty: the method itself
-  std::map<std::string, Estimate> cells;  ///< by Measure::key
+  std::map<std::string, Estimate> cells;  ///< by TableMeasure::key
 };
 
 /// A job without scores.

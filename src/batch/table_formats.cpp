@@ -13,9 +13,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Measures that some method has.
-std::vector<Measure> columns(const BatchTable& table) {
-  std::vector<Measure> used;
-  for (const Measure& measure : measures()) {
+std::vector<TableMeasure> columns(const BatchTable& table) {
+  std::vector<TableMeasure> used;
+  for (const TableMeasure& measure : measures()) {
     const bool any = std::ranges::any_of(
         table.methods, [&](const TableRow& row) { return row.cells.contains(measure.key); });
     if (any) used.push_back(measure);
@@ -30,7 +30,7 @@ std::string fixed(double value, int digits, bool sign) {
 }
 
 /// `97.13 [96.20, 98.01]`
-std::string cell(const Measure& measure, const Estimate& e, bool sign) {
+std::string cell(const TableMeasure& measure, const Estimate& e, bool sign) {
   const auto number = [&](double v) { return fixed(v * measure.scale, measure.digits, sign); };
   return number(e.value) + " [" + number(e.low) + ", " + number(e.high) + "]";
 }
@@ -46,13 +46,13 @@ std::size_t scenes_of(const TableRow& row) {
   return most;
 }
 
-std::string markdown_rows(const std::vector<TableRow>& rows, const std::vector<Measure>& shown,
+std::string markdown_rows(const std::vector<TableRow>& rows, const std::vector<TableMeasure>& shown,
                           std::size_t all_scenes) {
   std::string text;
   for (const TableRow& row : rows) {
     text += "| " + row_name(row, " - ") + " | " + std::to_string(scenes_of(row)) + " of " +
             std::to_string(all_scenes) + " |";
-    for (const Measure& measure : shown) {
+    for (const TableMeasure& measure : shown) {
       const auto found = row.cells.find(measure.key);
       text += found == row.cells.end()
                   ? " |"
@@ -72,11 +72,11 @@ std::string latex_text(const std::string& text) {
   return escaped;
 }
 
-std::string latex_rows(const std::vector<TableRow>& rows, const std::vector<Measure>& shown) {
+std::string latex_rows(const std::vector<TableRow>& rows, const std::vector<TableMeasure>& shown) {
   std::string text;
   for (const TableRow& row : rows) {
     text += latex_text(row_name(row, " $-$ "));
-    for (const Measure& measure : shown) {
+    for (const TableMeasure& measure : shown) {
       const auto found = row.cells.find(measure.key);
       if (found == row.cells.end()) {
         text += " & --";
@@ -102,7 +102,7 @@ std::string exact(double value) {
 
 Json cells_json(const TableRow& row) {
   Json cells = Json::object();
-  for (const Measure& measure : measures()) {
+  for (const TableMeasure& measure : measures()) {
     const auto found = row.cells.find(measure.key);
     if (found == row.cells.end()) continue;
     const Estimate& e = found->second;
@@ -118,9 +118,9 @@ Json cells_json(const TableRow& row) {
 }  // namespace
 
 std::string to_markdown(const BatchTable& table) {
-  const std::vector<Measure> shown = columns(table);
+  const std::vector<TableMeasure> shown = columns(table);
   std::string text = "| method | scenes |", rule = "|---|---|";
-  for (const Measure& measure : shown) {
+  for (const TableMeasure& measure : shown) {
     text += " " + measure.title + " |";
     rule += "---|";
   }
@@ -134,10 +134,10 @@ std::string to_markdown(const BatchTable& table) {
 }
 
 std::string to_latex(const BatchTable& table) {
-  const std::vector<Measure> shown = columns(table);
+  const std::vector<TableMeasure> shown = columns(table);
   std::string text = "% \\usepackage{booktabs}\n\\begin{tabular}{l" +
                      std::string(shown.size(), 'r') + "}\n\\toprule\nMethod";
-  for (const Measure& measure : shown) {
+  for (const TableMeasure& measure : shown) {
     const auto unit = measure.title.rfind(' ');
     const std::string last = unit == std::string::npos ? "" : measure.title.substr(unit + 1);
     const bool has_unit =
@@ -153,7 +153,7 @@ std::string to_csv(const BatchTable& table) {
   std::string text = "method,against,measure,value,low,high,scenes\n";
   for (const auto* rows : {&table.methods, &table.differences}) {
     for (const TableRow& row : *rows) {
-      for (const Measure& measure : measures()) {
+      for (const TableMeasure& measure : measures()) {
         const auto found = row.cells.find(measure.key);
         if (found == row.cells.end()) continue;
         const Estimate& e = found->second;
