@@ -12,7 +12,7 @@ void keep_freed_memory() {
 #if defined(__GLIBC__)
   ::mallopt(M_MMAP_THRESHOLD, std::numeric_limits<int>::max());
   ::mallopt(M_TRIM_THRESHOLD, -1);
-  ::mallopt(M_TOP_PAD, 16 << 20);  // what is asked for ahead: only what is touched is taken
+  ::mallopt(M_TOP_PAD, 1 << 20);  // asked for ahead; no more, because limits of memory count it
 #endif
 }
 

@@ -4,6 +4,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #include "cli/command.hpp"
@@ -14,6 +15,9 @@
 #include "planescope/error.hpp"
 
 namespace {
+
+constexpr const char* kNoThread =
+    "out of memory for a thread; give it more, or take fewer --threads";
 
 /// One line on stderr, whatever the message holds.
 int fail(const std::string& message, planescope::Error::Kind kind) {
@@ -41,13 +45,14 @@ int main(int argc, char** argv) {
   } catch (const std::system_error& error) {
     const bool starved = error.code() == std::errc::resource_unavailable_try_again ||
                          error.code() == std::errc::not_enough_memory;
-    if (starved)
-      return fail("out of memory for a thread; give it more, or take fewer --threads",
-                  Kind::Computation);
+    if (starved) return fail(kNoThread, Kind::Computation);
     // files: std::filesystem, streams
     return fail(std::string(error.what()) + "; is it a file that can be read and written?",
                 Kind::Input);
   } catch (const std::exception& error) {
+    // oneTBB's words, in a std::runtime_error.
+    if (std::string_view(error.what()).starts_with("pthread_create has failed"))
+      return fail(kNoThread, Kind::Computation);
     return fail(std::string("internal error: ") + error.what() + "; please report it",
                 Kind::Internal);
   }
