@@ -109,7 +109,7 @@ class AppendedData {
     const auto digit = [&](std::size_t i) {
       const auto c = static_cast<unsigned char>(text_[i]);
       if (c != '=') bits |= kValue[c];
-      return std::uint32_t{kValue[c]} & 63U;
+      return static_cast<std::uint32_t>(kValue[c]) % 64;
     };
     char* out = bytes.data();
     for (std::size_t i = offset, end = offset + encoded(count); i < end; i += 4) {
