@@ -80,7 +80,9 @@ std::uint64_t cell_key(const Eigen::Vector3f& p, const Eigen::Vector3f& low, flo
                        int dy, int dz) {
   const auto axis = [&](int a, int d) {
     const double cell = std::floor(double(p[a] - low[a]) * double(inverse)) + d;
-    return static_cast<std::uint64_t>(std::clamp(cell, -1048576.0, 1048575.0) + 1048576.0);
+    // What is no number, between points at the ends of float's range, goes to the lowest cell.
+    const double bounded = cell >= -1048576.0 ? std::min(cell, 1048575.0) : -1048576.0;
+    return static_cast<std::uint64_t>(bounded + 1048576.0);
   };
   return axis(2, dz) << 42 | axis(1, dy) << 21 | axis(0, dx);
 }
