@@ -82,8 +82,10 @@ PairTerms pair_terms(const std::vector<Hypothesis>& hypotheses, const PatchIndex
     for (std::size_t k = 0; k < m; ++k) {
       const Hypothesis &a = hypotheses[m], &b = hypotheses[k];
       const bool pays = options.weight_angle > 0 && (!touching || any_common(reach[m], b.inliers));
-      const auto deviation = [&] { return manhattan_deviation(a.plane.normal, b.plane.normal); };
-      const double angle = pays ? options.weight_angle * angle_cost(deviation(), options.alpha) : 0;
+      const double angle =
+          pays ? options.weight_angle *
+                     angle_cost(manhattan_deviation(a.plane.normal, b.plane.normal), options.alpha)
+               : 0;
       terms.angle[m * n + k] = terms.angle[k * n + m] = angle;
       terms.overlap[m * n + k] = terms.overlap[k * n + m] =
           options.weight_overlap * overlap_cost(a, b);

@@ -80,7 +80,7 @@ struct Shares {
 /// found: tiles are as they were when it began.
 void MapTracker::State::take_up_job() {
   const Shares last(updates, options.interval);
-  if (updates == 0 || last.end_stage == kStages) return;
+  if (last.end_stage == kStages) return;  // also before the first update
   TrackStep nobody_asks;
   for (std::size_t s = 0; s < last.end_stage; ++s) run_stage(s, nobody_asks);
 }
