@@ -64,7 +64,7 @@ Options resolve_engine(const Arguments& a, const Sequence& sequence) {
   return options;
 }
 
-/// Spread over `step` frames each: over all of them, 5 % of the map are patched a frame.
+/// Spread over `step` frames each: over all of them, 3.5 % of the map are patched a frame at most.
 TrackOptions track_options(const Arguments& a, const Sequence& sequence) {
   TrackOptions options;
   options.engine = resolve_engine(a, sequence);
@@ -72,7 +72,7 @@ TrackOptions track_options(const Arguments& a, const Sequence& sequence) {
   options.interval = a.step;
   const std::uint32_t patching = std::max(a.step, 4U) - 3;  // the others find planes and edges
   const double frames = std::max(a.step - 1, 1U) / static_cast<double>(patching);
-  options.share = 0.05 * frames;
+  options.share = 0.035 * frames;
   options.least_points = static_cast<std::uint32_t>(8000 * frames);
   return options;
 }
