@@ -191,6 +191,55 @@ TEST(Sequence, WhatIsBrokenOfTumIsSaid) {
 }
 
 // The fixture's cameras are turned by 90 degrees about z: down, their y, is -x of the world.
+// Each layout without its poses: refused, or taken as it is until someone gives poses.
+TEST(Sequence, PosesMayBeMissing) {
+  const TemporaryFolder folder;
+  testing::write_redwood(folder / "r", 3);
+  testing::write_frames(folder / "f", 3);
+  testing::write_tum(folder / "t", 3);
+  for (const char* name : {"r", "f", "t"}) {
+    EXPECT_TRUE(Sequence(folder / name, {.poses = PoseSource::FilesIfThere}).has_poses()) << name;
+    EXPECT_FALSE(Sequence(folder / name, {.poses = PoseSource::None}).has_poses()) << name;
+  }
+  fs::remove(folder / "r/trajectory.log");
+  fs::remove(folder / "t/groundtruth.txt");
+  for (const char* k : {"0", "1", "2"})
+    fs::remove(folder / ("f/frame-00000" + std::string(k) + ".pose.txt"));
+  for (const char* name : {"r", "f", "t"}) {
+    EXPECT_NE(failure_of(folder / name), "nothing") << name;
+    Sequence sequence(folder / name, {.poses = PoseSource::FilesIfThere});
+    EXPECT_FALSE(sequence.has_poses());
+    ASSERT_EQ(sequence.size(), 3u) << name;
+    EXPECT_EQ(sequence.unposed(), 0u);
+    EXPECT_EQ(sequence.layout(), Sequence(folder / name, {.poses = PoseSource::None}).layout());
+    sequence.set_poses({testing::pose_of(0), std::nullopt, testing::pose_of(2)});
+    EXPECT_TRUE(sequence.has_poses());
+    EXPECT_TRUE(sequence.poses_are_estimated());
+    ASSERT_EQ(sequence.size(), 2u);
+    EXPECT_EQ(sequence.lost(), 1u);
+    EXPECT_EQ(sequence.info(1).number, 2u);
+    EXPECT_EQ(sequence.info(1).pose.matrix(), testing::pose_of(2).matrix());
+    EXPECT_THROW(sequence.set_poses({testing::pose_of(0)}), Error);
+    EXPECT_THROW(sequence.set_poses({std::nullopt, std::nullopt}), Error);
+  }
+}
+
+// Written and read again by the readers of the two layouts.
+TEST(Sequence, TrajectoriesAreWritten) {
+  const TemporaryFolder folder;
+  testing::write_redwood(folder / "r", 12);
+  testing::write_tum(folder / "t", 12);
+  for (const char* name : {"r", "t"}) {
+    const fs::path file = folder / name / (*name == 'r' ? "trajectory.log" : "groundtruth.txt");
+    const Sequence before(folder / name);
+    write_trajectory(before, folder / (std::string(name) + file.extension().string()));
+    fs::rename(folder / (std::string(name) + file.extension().string()), file);
+    expect_small(Sequence(folder / name), before.layout(), 1e-9);
+  }
+  EXPECT_THROW(write_trajectory(Sequence(folder / "r"), folder / "poses.csv"), Error);
+  EXPECT_THROW(write_trajectory(Sequence(folder / "r"), folder / "none/poses.log"), Error);
+}
+
 TEST(Sequence, UpIsWhatCamerasHeldUp) {
   const TemporaryFolder folder;
   testing::write_redwood(folder / "r", 3);

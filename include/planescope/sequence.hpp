@@ -21,6 +21,10 @@
 /// people have. Folders are untrusted.
 namespace planescope {
 
+namespace sequence {
+struct ListedFrame;
+}
+
 /// A depth camera: how pixels and stored depths become points.
 struct DepthCamera {
   PinholeCamera lens;         ///< its width, height and intrinsics; the pose is not used
@@ -67,6 +71,13 @@ enum class SequenceLayout {
 };
 std::string_view name(SequenceLayout layout);  ///< `tum`, `redwood`, `frames`
 
+/// Where the poses of a sequence are from.
+enum class PoseSource {
+  Files,         ///< its files, which must be there
+  FilesIfThere,  ///< likewise, but where none of them is there all frames are taken, without poses
+  None,          ///< all frames are taken, without poses
+};
+
 /// How to read a sequence. What is not given comes from the sequence's files.
 struct SequenceOptions {
   std::optional<SequenceLayout> layout = {};  ///< else by the files that are there
@@ -77,6 +88,7 @@ struct SequenceOptions {
   double min_depth = 0.1;                  ///< [m]
   double max_depth = 1e9;                  ///< [m]
   bool color = true;                       ///< false: colour images are not read
+  PoseSource poses = PoseSource::Files;    ///< without them: estimate_poses(), set_poses()
   std::uint32_t first = 0;                 ///< first frame that is used, by number from 0
   std::uint32_t last = std::numeric_limits<std::uint32_t>::max();  ///< last one, itself included
   std::uint32_t step = 1;                                          ///< every so many
@@ -100,7 +112,8 @@ struct Frame {
   ColorImage color;  ///< of the depth's size, or empty
 };
 
-/// A sequence: its camera and the frames that have a depth image and a pose.
+/// A sequence: its camera and the frames that have a depth image and a pose (with has_poses()
+/// false: all that have a depth image; their poses are the identity until set_poses()).
 class Sequence {
  public:
   /// Reads the lists and poses; images only when they are asked for.
@@ -117,6 +130,15 @@ class Sequence {
 
   /// Colour images are read, where there are any.
   bool with_color() const noexcept { return color_; }
+
+  /// The frames' poses are known: from files, or by set_poses().
+  bool has_poses() const noexcept { return has_poses_; }
+  /// The poses are not the files': they came, or are to come, by set_poses().
+  bool poses_are_estimated() const noexcept { return estimated_; }
+  /// Gives each frame its pose; those without leave the sequence and count as lost().
+  /// \param poses camera to world, one a frame.
+  /// \throws Error{Kind::Usage} another number of poses than size(), or no frame has one.
+  void set_poses(const std::vector<std::optional<Eigen::Isometry3d>>& poses);
 
   /// Frames left out: their pose is not finite ("tracking lost").
   std::size_t lost() const noexcept { return lost_; }
@@ -137,15 +159,22 @@ class Sequence {
   std::string hash() const;
 
  private:
+  void take_frames(const std::vector<sequence::ListedFrame>& listed,
+                   const SequenceOptions& options);
   void find_camera(const SequenceOptions& options);
 
   std::filesystem::path folder_;
   SequenceLayout layout_ = SequenceLayout::Tum;
   DepthCamera camera_;
   std::string camera_source_;
-  bool color_ = true;
+  bool color_ = true, has_poses_ = true, estimated_ = false;
   std::vector<FrameInfo> frames_;
   std::size_t lost_ = 0, unposed_ = 0;
 };
+
+/// Writes the frames' poses, whole or not at all: `*.log` as Redwood's trajectory.log (the numbers
+/// are the frames'), `*.txt` as TUM's `time tx ty tz qx qy qz qw`.
+/// \throws Error{Kind::Usage} another ending; Error{Kind::Input} it cannot be written.
+void write_trajectory(const Sequence& sequence, const std::filesystem::path& file);
 
 }  // namespace planescope

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/console.hpp"
+#include "cli/odometry.hpp"
 #include "cli/scene_arguments.hpp"
 #include "cli/values.hpp"
 #include "io/numbers.hpp"
@@ -91,6 +92,11 @@ void DepthArguments::declare_sequence(CLI::App& command) {
   command.add_option("--layout", layout_, "tum | redwood | frames (by the files that are there)")
       ->type_name("NAME")
       ->group(kGroup);
+  command
+      .add_flag(
+          "--odometry", odometry_,
+          "Estimate the poses, whatever the sequence's files say (done anyway where it has none)")
+      ->group(kGroup);
   command.add_option("--fusion-voxel", fusion.voxel_size, "Voxels of the fusion [m]")
       ->check(CLI::Range(0.001, 1.0))
       ->capture_default_str()
@@ -131,6 +137,7 @@ Sequence DepthArguments::open(const std::filesystem::path& folder, const Console
   constexpr double kSurest = 4;  // [m]
   SequenceOptions wanted = options();
   if (!max_depth_) wanted.max_depth = std::max(kSurest, 2 * wanted.min_depth);
+  wanted.poses = odometry_ ? PoseSource::None : PoseSource::FilesIfThere;
   Sequence sequence(folder, wanted);
   std::string text = folder.string() + ": " + std::to_string(sequence.size()) + " frames, layout " +
                      std::string(name(sequence.layout())) + ", camera from " +
@@ -142,6 +149,7 @@ Sequence DepthArguments::open(const std::filesystem::path& folder, const Console
     text += "; " + std::to_string(sequence.unposed()) + " frames left out: no pose";
   }
   console.say(text);
+  if (!sequence.has_poses()) give_poses(sequence, console);
   return sequence;
 }
 

@@ -3,10 +3,13 @@
 #include <tbb/global_control.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
@@ -24,15 +27,16 @@ using TbbLimit = tbb::global_control;
 struct Arguments {
   Console console;
   DepthArguments depth;
-  fs::path sequence, cloud, mesh;
+  fs::path sequence, cloud, mesh, trajectory;
   std::size_t threads = 0;
 };
 
-void check_output(const char* option, const fs::path& file, bool pcd_too) {
-  const bool ply = file.extension() == ".ply", pcd = file.extension() == ".pcd";
-  if (!ply && !(pcd_too && pcd)) {
-    throw Error(Error::Kind::Usage, std::string(option) + " is `" + file.string() + "`; it takes " +
-                                        (pcd_too ? "*.ply or *.pcd" : "*.ply"));
+void check_output(const char* option, const fs::path& file, const std::vector<std::string>& ends) {
+  if (std::ranges::find(ends, file.extension().string()) == ends.end()) {
+    std::string takes;
+    for (const std::string& end : ends) takes += (takes.empty() ? "*" : " or *") + end;
+    throw Error(Error::Kind::Usage,
+                std::string(option) + " is `" + file.string() + "`; it takes " + takes);
   }
   const fs::path folder = file.parent_path();
   if (!folder.empty() && !fs::is_directory(folder)) {  // before minutes are spent
@@ -42,27 +46,31 @@ void check_output(const char* option, const fs::path& file, bool pcd_too) {
 
 void print_json(const Arguments& a, const Sequence& sequence, const TsdfVolume& volume,
                 std::size_t points) {
-  nlohmann::ordered_json outcome = {{"cloud", a.cloud.string()},
-                                    {"points", points},
-                                    {"frames", volume.frames()},
-                                    {"frames_lost", sequence.lost()},
-                                    {"frames_without_pose", sequence.unposed()},
-                                    {"layout", name(sequence.layout())},
-                                    {"voxel_size", volume.options().voxel_size},
-                                    {"truncation", volume.options().truncation}};
+  nlohmann::ordered_json outcome = {
+      {"cloud", a.cloud.string()},
+      {"points", points},
+      {"frames", volume.frames()},
+      {"frames_lost", sequence.lost()},
+      {"frames_without_pose", sequence.unposed()},
+      {"layout", name(sequence.layout())},
+      {"poses", sequence.poses_are_estimated() ? "odometry" : "files"},
+      {"voxel_size", volume.options().voxel_size},
+      {"truncation", volume.options().truncation}};
   if (!a.mesh.empty()) outcome["mesh"] = a.mesh.string();
   const auto replace = nlohmann::ordered_json::error_handler_t::replace;
   std::printf("%s\n", outcome.dump(1, ' ', false, replace).c_str());
 }
 
 void run(const Arguments& a) {
-  check_output("-o", a.cloud, true);
-  if (!a.mesh.empty()) check_output("--mesh", a.mesh, false);
+  check_output("-o", a.cloud, {".ply", ".pcd"});
+  if (!a.mesh.empty()) check_output("--mesh", a.mesh, {".ply"});
+  if (!a.trajectory.empty()) check_output("--trajectory", a.trajectory, {".log", ".txt"});
   std::unique_ptr<TbbLimit> limit;
   if (a.threads > 0) {
     limit = std::make_unique<TbbLimit>(TbbLimit::max_allowed_parallelism, a.threads);
   }
   const Sequence sequence = a.depth.open(a.sequence, a.console);
+  if (!a.trajectory.empty()) write_trajectory(sequence, a.trajectory);
   const TsdfVolume volume = fuse(sequence, a.depth.fusion, a.console);
   PointCloud points;
   if (a.mesh.empty()) {
@@ -83,8 +91,7 @@ void run(const Arguments& a) {
 
 Command add_reconstruct(CLI::App& program) {
   const auto a = std::make_shared<Arguments>();
-  CLI::App* command =
-      program.add_subcommand("reconstruct", "Fuse an RGB-D sequence with poses into a map");
+  CLI::App* command = program.add_subcommand("reconstruct", "Fuse an RGB-D sequence into a map");
   command
       ->add_option("SEQUENCE", a->sequence,
                    "Folder: depth.txt, groundtruth.txt, rgb.txt (TUM); depth/, image/, "
@@ -94,6 +101,12 @@ Command add_reconstruct(CLI::App& program) {
       ->required()
       ->type_name("CLOUD");
   command->add_option("--mesh", a->mesh, "Its surface as triangles, too")->type_name("PLY");
+  command
+      ->add_option(
+          "--trajectory", a->trajectory,
+          "The poses that were used, too: *.log as Redwood's trajectory.log, *.txt as TUM's "
+          "groundtruth.txt")
+      ->type_name("FILE");
   a->depth.declare_camera(*command);
   a->depth.declare_sequence(*command);
   command->add_option("--threads", a->threads, "Threads at most (all); the result is the same")

@@ -65,6 +65,7 @@ std::string RunInfo::json() const {
                                       {"peak_memory_mb", std::round(peak_memory_mb() * 10) / 10},
                                       {"threads", threads},
                                       {"uncertain_points", uncertain},
+                                      {"odometry", odometry},
                                       {"date", date()}};
   return all.dump(1) + "\n";
 }

@@ -24,6 +24,7 @@ struct RunInfo {
   double pictures = 0, write = 0, total = 0;  ///< [ms]
   std::size_t threads = 0;
   std::size_t uncertain = 0;  ///< points left out by --min-confidence
+  bool odometry = false;      ///< the sequence's poses were estimated
 
   /// run.json's text, with peak memory and date as they are now.
   std::string json() const;

@@ -119,6 +119,7 @@ Scene SceneArguments::load_sequence(const Console& console) const {
                                std::to_string(fusion.min_observations);
   Scene scene{volume.points(), {folder.string(), hash_text(identity)}};
   scene.cloud.up = sequence.up();
+  scene.odometry = sequence.poses_are_estimated();
   return scene;
 }
 

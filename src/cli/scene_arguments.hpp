@@ -29,7 +29,7 @@ class DepthArguments {
 
   /// Adds --intrinsics, --depth-scale, --min-depth, --max-depth, --no-color.
   void declare_camera(CLI::App& command);
-  /// Adds --frames and --layout, and what fusion takes: --fusion-voxel, --truncation,
+  /// Adds --frames, --layout and --odometry, and what fusion takes: --fusion-voxel, --truncation,
   /// --min-observations.
   void declare_sequence(CLI::App& command);
 
@@ -37,9 +37,10 @@ class DepthArguments {
   /// cannot be read.
   SequenceOptions options() const;
 
-  /// Opens a sequence; says on `console` what it found. Farther than 4 m is left out unless
+  /// Opens a sequence, with poses by odometry where it has none; says on `console` what it found.
+  /// Farther than 4 m is left out unless
   /// --max-depth was given: structured light is off by centimetres there.
-  /// \throws Error as Sequence does.
+  /// \throws Error as Sequence and give_poses() do.
   Sequence open(const std::filesystem::path& folder, const Console& console) const;
 
   FusionOptions fusion;  ///< as given
@@ -48,7 +49,7 @@ class DepthArguments {
   std::string intrinsics_, frames_, layout_;
   SequenceOptions given_;
   std::optional<double> max_depth_;
-  bool no_color_ = false;
+  bool no_color_ = false, odometry_ = false;
 };
 
 /// The cloud to segment, and what is said of it in result.json.
@@ -56,6 +57,7 @@ struct Scene {
   PointCloud cloud;
   InputInfo input;
   std::size_t uncertain = 0;  ///< points left out by --min-confidence
+  bool odometry = false;      ///< a sequence's poses were estimated
 };
 
 /// Fuses a sequence with a progress bar, and says how much came of it.

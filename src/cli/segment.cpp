@@ -168,6 +168,7 @@ void run(Arguments& a) {
   const Scene source = a.scene.load(a.console, a.limits.read());
   const PointCloud& cloud = source.cloud;
   info.uncertain = source.uncertain;
+  info.odometry = source.odometry;
   const double read_time = watch.lap();
   const Segmentation scene = compute(a, cloud);
   info.stages = scene.times;

@@ -198,6 +198,7 @@ void run(Arguments& a) {
   run.tables.close(result.step);
   RunInfo info;
   info.stages = result.scene.times;
+  info.odometry = sequence.poses_are_estimated();
   info.threads = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
   write(a, result, run, {a.sequence.filename().string(), sequence.hash()}, info, since_start);
   report(a, sequence, run.tables, result);

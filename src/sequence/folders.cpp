@@ -61,7 +61,13 @@ std::vector<fs::path> list_files(const fs::path& folder, const std::vector<std::
   return files;
 }
 
-SequenceLayout detect_layout(const fs::path& folder) {
+bool has_pose_files(const fs::path& folder, SequenceLayout layout) {
+  if (layout == SequenceLayout::Redwood) return fs::exists(folder / "trajectory.log");
+  if (layout == SequenceLayout::Tum) return fs::exists(folder / "groundtruth.txt");
+  return !list_files(folder, {".pose.txt"}).empty();
+}
+
+SequenceLayout detect_layout(const fs::path& folder, bool with_poses) {
   if (!fs::is_directory(folder)) {
     throw Error(Error::Kind::Input, folder.string() + ": is no folder; expected an RGB-D sequence");
   }
@@ -70,6 +76,8 @@ SequenceLayout detect_layout(const fs::path& folder) {
   if (poses_of_redwood && fs::is_directory(folder / "depth")) return SequenceLayout::Redwood;
   if (poses_of_tum && fs::exists(folder / "depth.txt")) return SequenceLayout::Tum;
   if (!list_files(folder, {".depth.png"}).empty()) return SequenceLayout::Frames;
+  if (!with_poses && fs::exists(folder / "depth.txt")) return SequenceLayout::Tum;
+  if (!with_poses && fs::is_directory(folder / "depth")) return SequenceLayout::Redwood;
   const bool depths = fs::is_directory(folder / "depth") || fs::exists(folder / "depth.txt");
   throw Error(Error::Kind::Input,
               folder.string() + (depths ? ": has depth images but no poses" : ": is no sequence") +

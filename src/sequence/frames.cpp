@@ -22,7 +22,7 @@ std::vector<ListedFrame> list_frames(const std::filesystem::path& folder,
         frame.info.color = stem + ending;
       }
     }
-    if (!fs::exists(stem + ".pose.txt")) continue;
+    if (options.poses == PoseSource::None || !fs::exists(stem + ".pose.txt")) continue;
     TextLines lines(stem + ".pose.txt", "a pose: 4 lines of 4 numbers");
     const std::optional<Eigen::Isometry3d> pose = read_matrix(lines);
     frame.state = pose ? PoseState::Known : PoseState::Lost;

@@ -25,8 +25,8 @@ struct ListedFrame {
   PoseState state = PoseState::Absent;
 };
 
-/// All frames that have a depth image, in order, numbered from 0.
-/// \throws Error{Kind::Input} a list is missing or cannot be read.
+/// All frames that have a depth image, in order, numbered from 0; all of them PoseState::Absent
+/// where options.poses is None. \throws Error{Kind::Input} a list is missing or cannot be read.
 std::vector<ListedFrame> list_tum(const std::filesystem::path& folder,
                                   const SequenceOptions& options);
 std::vector<ListedFrame> list_redwood(const std::filesystem::path& folder,
@@ -34,8 +34,15 @@ std::vector<ListedFrame> list_redwood(const std::filesystem::path& folder,
 std::vector<ListedFrame> list_frames(const std::filesystem::path& folder,
                                      const SequenceOptions& options);
 
-/// The layout that the files of a folder show. \throws Error{Kind::Input} none.
-SequenceLayout detect_layout(const std::filesystem::path& folder);
+/// The layout that the files of a folder show. \param with_poses its poses must be there too.
+/// \throws Error{Kind::Input} none.
+SequenceLayout detect_layout(const std::filesystem::path& folder, bool with_poses);
+
+/// True where there is a file of poses, whatever it holds.
+bool has_pose_files(const std::filesystem::path& folder, SequenceLayout layout);
+
+/// An entry of Redwood's trajectory.log: five lines.
+std::string trajectory_entry(std::uint32_t frame, const Eigen::Isometry3d& pose);
 
 /// Reads four lines of four numbers: camera to world.
 /// \returns nothing where a number is not finite: tracking was lost.

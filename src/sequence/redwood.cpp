@@ -77,7 +77,7 @@ std::vector<ListedFrame> list_redwood(const fs::path& folder, const SequenceOpti
                                         ": holds no PNG; expected depth "
                                         "images");
   }
-  add_poses(folder / "trajectory.log", frames);
+  if (options.poses != PoseSource::None) add_poses(folder / "trajectory.log", frames);
   if (options.color) add_colors(folder, frames);
   return frames;
 }

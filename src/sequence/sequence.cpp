@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <string>
+#include <utility>
 
 #include "planescope/error.hpp"
 #include "planescope/result.hpp"
@@ -66,24 +67,51 @@ std::string_view name(SequenceLayout layout) {
 Sequence::Sequence(const std::filesystem::path& folder, const SequenceOptions& options)
     : folder_(folder), color_(options.color) {
   validate(options);
-  layout_ = options.layout ? *options.layout : sequence::detect_layout(folder);
-  const std::vector<ListedFrame> listed = list(folder, layout_, options);
+  const bool must_have_poses = options.poses == PoseSource::Files;
+  layout_ = options.layout ? *options.layout : sequence::detect_layout(folder, must_have_poses);
+  has_poses_ = must_have_poses || (options.poses == PoseSource::FilesIfThere &&
+                                   sequence::has_pose_files(folder, layout_));
+  estimated_ = !has_poses_;
+  SequenceOptions wish = options;
+  wish.poses = has_poses_ ? PoseSource::Files : PoseSource::None;
+  take_frames(list(folder, layout_, wish), options);
+  find_camera(options);
+}
+
+void Sequence::take_frames(const std::vector<sequence::ListedFrame>& listed,
+                           const SequenceOptions& options) {
   std::size_t wanted = 0;
   for (const ListedFrame& frame : listed) {
     if (!in_range(frame.info.number, options)) continue;
     ++wanted;
-    if (frame.state == PoseState::Known) frames_.push_back(frame.info);
+    if (frame.state == PoseState::Known || !has_poses_) frames_.push_back(frame.info);
+    if (!has_poses_) continue;
     lost_ += frame.state == PoseState::Lost ? 1 : 0;
     unposed_ += frame.state == PoseState::Absent ? 1 : 0;
   }
   if (frames_.empty()) {
     throw Error(Error::Kind::Input,
-                folder.string() + ": none of " + std::to_string(wanted) + " frames (of " +
+                folder_.string() + ": none of " + std::to_string(wanted) + " frames (of " +
                     std::to_string(listed.size()) + ") has depth and pose: " +
                     std::to_string(lost_) + " lost their track, " + std::to_string(unposed_) +
                     " have no pose" + (layout_ == SequenceLayout::Tum ? " near in time" : ""));
   }
-  find_camera(options);
+}
+
+void Sequence::set_poses(const std::vector<std::optional<Eigen::Isometry3d>>& poses) {
+  require(poses.size() == frames_.size(), std::to_string(poses.size()) + " poses for " +
+                                              std::to_string(frames_.size()) +
+                                              " frames; expected one each");
+  std::vector<FrameInfo> posed;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (!poses[i]) continue;
+    posed.push_back(frames_[i]);
+    posed.back().pose = *poses[i];
+  }
+  require(!posed.empty(), "no frame has a pose; expected one at least");
+  lost_ += frames_.size() - posed.size();
+  frames_ = std::move(posed);
+  has_poses_ = estimated_ = true;
 }
 
 void Sequence::find_camera(const SequenceOptions& options) {

@@ -97,7 +97,8 @@ void find_pose(const std::vector<TimedPose>& poses, double time, double most, Li
 std::vector<ListedFrame> list_tum(const std::filesystem::path& folder,
                                   const SequenceOptions& options) {
   const std::vector<TimedFile> depths = read_list(folder, "depth.txt");
-  const std::vector<TimedPose> poses = read_poses(folder / "groundtruth.txt");
+  std::vector<TimedPose> poses;
+  if (options.poses != PoseSource::None) poses = read_poses(folder / "groundtruth.txt");
   std::vector<TimedFile> colors;
   if (options.color && std::filesystem::exists(folder / "rgb.txt")) {
     colors = read_list(folder, "rgb.txt");

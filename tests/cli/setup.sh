@@ -42,6 +42,10 @@ break_as one_frame 1
 break_as no_frames 0
 break_as no_file 3 && rm "$shared/no_file/depth/00001.png" && ln -s nowhere "$shared/no_file/depth/00001.png"
 break_as no_poses 3 && rm "$shared/no_poses/trajectory.log"
+break_as standing 3 && rm "$shared/standing/trajectory.log"  # the same view three times, without poses
+for part in depth image; do
+  for k in 1 2; do cp "$shared/frames/$part/00000.png" "$shared/standing/$part/0000$k.png"; done
+done
 break_as bad_pose 3 && sed -i '8s/^[^ ]*/left/' "$shared/bad_pose/trajectory.log"
 break_as lost 3 && sed -i '7,9s/^.*$/nan nan nan nan/' "$shared/lost/trajectory.log"
 break_as all_lost 1 && sed -i '2,4s/^.*$/-inf -inf -inf -inf/' "$shared/all_lost/trajectory.log"
