@@ -6,23 +6,29 @@ set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
 mapfile -t packages < <(sed 's/#.*//; s/[[:space:]]*//g; /^$/d' "$here/packages.txt")
-missing=()
+missing=() wanted=()
 for package in "${packages[@]}"; do
-  status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
-  [[ $status == *installed* && $status != *not-installed* ]] || missing+=("$package")
+  status=$(dpkg-query -W -f='${db:Status-Status}' "${package#\?}" 2>/dev/null || true)
+  [[ $status == *installed* && $status != *not-installed* ]] && continue
+  if [[ $package == \?* ]]; then wanted+=("${package#\?}"); else missing+=("$package"); fi
 done
-((${#missing[@]} > 0)) || exit 0
+((${#missing[@]} + ${#wanted[@]} > 0)) || exit 0
 
 as_root=()
 if ((EUID != 0)); then
-  command -v sudo >/dev/null || { echo "these packages are missing, and there is no sudo: ${missing[*]}" >&2; exit 1; }
+  if ! command -v sudo >/dev/null; then
+    echo "these packages are missing, and there is no sudo: ${missing[*]} ${wanted[*]}" >&2
+    exit $((${#missing[@]} > 0))
+  fi
   as_root=(sudo)
 fi
 install=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends)
 
-echo "installing ${missing[*]}" >&2
 # The lists may be there and fresh enough; fetch them only where they are not.
-if ! "${install[@]}" "${missing[@]}" >&2; then
-  "${as_root[@]}" apt-get update >&2
-  "${install[@]}" "${missing[@]}" >&2
-fi
+try() { "${install[@]}" "$@" >&2 || { "${as_root[@]}" apt-get update >&2 && "${install[@]}" "$@" >&2; }; }
+
+echo "installing ${missing[*]} ${wanted[*]}" >&2
+((${#missing[@]} == 0)) || try "${missing[@]}"
+for package in "${wanted[@]}"; do
+  try "$package" || echo "$package cannot be installed: going on without it" >&2
+done

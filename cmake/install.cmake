@@ -15,6 +15,9 @@ if(PLANESCOPE_RENDER)
   install(EXPORT planescope-render NAMESPACE planescope:: DESTINATION ${package_dir})
   install(FILES cmake/planescope-offscreen.cmake DESTINATION ${package_dir})
   install(DIRECTORY render/include/planescope DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})  # the VTK filter
+  if(TARGET planescope_odometry)  # planescope looks for it beside itself
+    install(TARGETS planescope_odometry RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  endif()
   install(TARGETS planescope RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 
   # The static library leaves VTK to the programs that link it: the package asks for the same modules.
