@@ -98,7 +98,12 @@ std::string StateReader::text() {
 
 void StateReader::finish() {
   const std::uint64_t expected = hash_.value();
-  if (get<std::uint64_t>() != expected) fail("is damaged: its hash differs");
+#ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION  // fuzzing does not guess hashes
+  constexpr bool kChecked = false;
+#else
+  constexpr bool kChecked = true;
+#endif
+  if (get<std::uint64_t>() != expected && kChecked) fail("is damaged: its hash differs");
 }
 
 void StateReader::fail(const std::string& what) const {

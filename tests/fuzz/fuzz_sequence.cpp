@@ -54,6 +54,9 @@ class Sequences {
       sequence.read(i);
     }
     sequence.up();
+    Sequence unposed(folder.path(), {.poses = PoseSource::None});  // takes what is listed
+    unposed.set_poses(std::vector<std::optional<Eigen::Isometry3d>>(unposed.size(),
+                                                                    Eigen::Isometry3d::Identity()));
   }
 
   void repair(const SequenceFile& file) { folders_[file.folder].write(file.name, file.sound); }

@@ -9,7 +9,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 seconds=$1
 shift
 targets=("$@")
-((${#targets[@]} > 0)) || targets=(pcd ply result options side_files geometry images sequence)
+((${#targets[@]} > 0)) || targets=(pcd ply result options side_files geometry images sequence snapshot)
 
 cmake --preset fuzz >/dev/null
 cmake --build --preset fuzz --target "${targets[@]/#/fuzz_}" >&2
