@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <limits>
 #include <sstream>
 
 #include "io/state_stream.hpp"
@@ -10,6 +11,7 @@
 #include "planescope/fusion.hpp"
 #include "planescope/track.hpp"
 #include "sequence_fixtures.hpp"
+#include "track/snapshot_parts.hpp"
 #include "track_fixtures.hpp"
 
 namespace planescope {
@@ -178,6 +180,71 @@ TEST(TrackSnapshot, OtherFilesAreRefusedInWords) {
 }
 
 // By hand, for one word.
+/// What a section of a tracker says that somebody made by hand, hash and all.
+struct Forged {
+  Eigen::Vector3f plane = Eigen::Vector3f::UnitZ();
+  std::uint32_t last = 1, alive = 1, object = 1;
+  std::int32_t key = 0;
+  std::uint8_t flags = 2;  // patched
+  std::uint64_t pieces = 1;
+  float x = 0;
+  int tiles = 1;
+};
+
+std::string forge(const Forged& what) {
+  std::ostringstream stream;
+  io::StateWriter to(stream, "tracker", 2);
+  track::put_options(to, TrackOptions{});
+  for (int k = 0; k < 4; ++k) to.put<std::uint64_t>(1);
+  to.put<std::uint8_t>(0);
+  for (int k = 0; k < 3; ++k) to.put(0.0);
+  to.put(what.last);
+  to.list(std::vector<std::uint32_t>{what.alive});
+  to.list(std::vector<std::uint32_t>{});
+  track::put_planes(to, {{.plane = {.normal = what.plane, .distance = 0}, .selected = true}});
+  track::put_planes(to, {});
+  to.put<std::uint64_t>(static_cast<std::uint64_t>(what.tiles));
+  for (int tile = 0; tile < what.tiles; ++tile) {
+    track::put_key(to, {what.key, 0, 0});
+    to.put(what.pieces);
+    for (std::uint64_t piece = 0; piece < what.pieces; ++piece) {
+      track::put_key(to, {0, 0, 0});
+      to.put<std::uint8_t>(1);
+      PointCloud cloud = testing::level(0, 0.3, 0, 0.3, 0.01);
+      cloud.positions.front().x() = what.x;
+      track::put_cloud(to, cloud);
+    }
+    to.put<std::uint64_t>(0);
+    to.put(what.flags);
+    if ((what.flags & 2) != 0) to.list(std::vector<std::uint32_t>(1, what.object));
+  }
+  to.finish();
+  return stream.str();
+}
+
+// Hashes tell damage, not intent: each guard behind them, by a section that breaks only its rule.
+TEST(TrackSnapshot, ForgedSectionsAreRefused) {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  const std::vector<std::pair<Forged, std::string>> cases = {
+      {{.plane = Eigen::Vector3f(1, 1, 0)}, "a plane without unit normal"},
+      {{.plane = Eigen::Vector3f(kNan, 0, 1)}, "a plane without unit normal"},
+      {{.last = 0, .alive = 1, .object = 1}, "an object that was never numbered"},
+      {{.object = 0}, "a patch of no object"},
+      {{.object = 2}, "a patch of no object"},
+      {{.key = 1 << 30}, "a key out of range"},
+      {{.flags = 9}, "a tile of no known state"},
+      {{.flags = 0}, "a tile of no known state"},
+      {{.pieces = 2}, "a piece twice"},
+      {{.flags = 1, .tiles = 2}, "a tile twice"},
+      {{.x = kNan}, "a point that is no place"},
+      {{.x = 1e30F}, "a point that is no place"},
+  };
+  for (const auto& [forged, part] : cases) {
+    const std::string said = refusal<MapTracker>(forge(forged));
+    EXPECT_NE(said.find(part), std::string::npos) << part << ": " << said;
+  }
+}
+
 TEST(TrackSnapshot, TheHashIsWhatTheFormatSays) {
   io::StateHash hash;
   EXPECT_EQ(hash.value(), 0xcbf29ce484222325ull);

@@ -39,6 +39,11 @@ PointCloud get_cloud(io::StateReader& from, const Eigen::Vector3d& origin) {
   from.require(cloud.normals.size() == count, "not one normal a point");
   from.require(cloud.colors.empty() || cloud.colors.size() == count, "not one colour a point");
   from.require(count < 0x7fffffff, "too many points");
+  constexpr float kFarthest = 1e9F;  // [m]
+  const auto is_place = [](const Eigen::Vector3f& p) {
+    return is_finite(p) && p.cwiseAbs().maxCoeff() <= kFarthest;
+  };
+  from.require(std::ranges::all_of(cloud.positions, is_place), "a point that is no place");
   cloud.origin = origin;
   cloud.width = static_cast<std::uint32_t>(count);
   return cloud;
