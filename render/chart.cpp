@@ -87,7 +87,7 @@ vtkSmartPointer<vtkChartXY> make_chart(const Chart& chart, const ChartAxis& axis
   for (std::size_t i = 0; i < chart.curves.size(); ++i) {
     auto* line = vtkPlotLine::SafeDownCast(xy->AddPlot(vtkChart::LINE));
     const Pixel& color = chart.curves[i].color;
-    line->SetInputData(data, 0, static_cast<vtkIdType>(i + 1));
+    line->SetInputData(data, 0, static_cast<vtkIdType>(i) + 1);
     line->SetColor(color[0], color[1], color[2], 255);
     line->SetWidth(static_cast<float>(font / 6));
     line->SetMarkerStyle(i == 0 ? vtkPlotPoints::CIRCLE : vtkPlotPoints::SQUARE);

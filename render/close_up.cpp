@@ -135,7 +135,8 @@ Sheet outline(const StoredScene& stored, const Plane& plane,
       places.emplace_back(c.dot(u) + s * margin, c.dot(v) + t * margin);
   }
   Sheet sheet{{}, normal, color};
-  for (const Eigen::Vector2d& corner : convex_hull(std::move(places)))
+  const auto hull = convex_hull(std::move(places));
+  for (const Eigen::Vector2d& corner : hull)
     sheet.corners.push_back(corner.x() * u + corner.y() * v +
                             static_cast<double>(plane.distance) * normal);
   return sheet;

@@ -39,7 +39,9 @@ std::vector<Image> broken(const PanelLine& line, double size, int width) {
     return draw_text(text, size, kDpi, swatch ? kInk : line.color, kPaper);
   };
   while (words >> word) {
-    const std::string longer = row.empty() ? word : row + " " + word;
+    std::string longer = row;
+    if (!row.empty()) longer += ' ';
+    longer += word;
     if (!row.empty() && image(longer).width > width) {
       rows.push_back(image(row));
       row = word;

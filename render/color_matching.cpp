@@ -137,6 +137,7 @@ std::vector<Pixel> color_objects(const MatchedLabels& matched, const std::vector
     for (std::size_t j = 0; j < i; ++j)
       apart.emplace_back(std::min(large[i], large[j]), std::max(large[i], large[j]));
   std::vector<std::size_t> groups;
+  groups.reserve(on_plane.size());
   for (const bool flat : on_plane) groups.push_back(flat ? 0 : 1);
   // Shading changes how light a large surface is from face to face: these differ in hue.
   std::vector<Pixel> calm;

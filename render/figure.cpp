@@ -105,6 +105,7 @@ Image draw_panels(Drawing& drawing, const std::vector<Panel>& panels, std::size_
                   const std::array<int, 2>& size, const Pixel& background) {
   const std::array<int, 2> one = panel_size(panels.size(), columns, size);
   std::vector<Image> pictures;
+  pictures.reserve(panels.size());
   for (const Panel& panel : panels)
     pictures.push_back(drawing.draw(panel.layers, one, panel.annotation));
   return arrange(pictures, columns, size, background);

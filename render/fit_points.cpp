@@ -60,6 +60,7 @@ std::vector<Eigen::Vector3f> points_to_fit(const Result& result, const SceneFram
   for (const Eigen::Vector3d& direction : {frame.right(), frame.front, frame.up}) {
     const Eigen::Vector3f axis = direction.cast<float>();
     std::vector<float> values;
+    values.reserve(points.size());
     for (const Eigen::Vector3f& p : points) values.push_back(p.dot(axis));
     const auto [low, high] = limits(std::move(values));
     std::erase_if(points, [&, l = low, h = high](const Eigen::Vector3f& p) {

@@ -111,7 +111,7 @@ Plane convolve(const Plane& in, int width, int height, const Kernel& across, con
   for (int y = 0; y < height; ++y) {
     float* to = out.data() + static_cast<std::size_t>(y) * w;
     for (int k = -reach; k <= reach; ++k) {
-      const float weight = down[static_cast<std::size_t>(k + reach)];
+      const float weight = down[static_cast<std::size_t>(std::ptrdiff_t{k} + reach)];
       const float* from =
           rows.data() + static_cast<std::size_t>(std::clamp(y + k, 0, height - 1)) * w;
       for (std::size_t x = 0; x < w; ++x) to[x] += weight * from[x];

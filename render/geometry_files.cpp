@@ -100,7 +100,7 @@ void write_vtp(vtkPolyData* data, const Eigen::Vector3d& origin,
 
 vtkSmartPointer<vtkPolyData> read_vtp(const std::filesystem::path& file,
                                       const Eigen::Vector3d& origin, const VtpContract& contract) {
-  const vtkSmartPointer<vtkPolyData> data = parse_vtp(read_all(file), file.string());
+  vtkSmartPointer<vtkPolyData> data = parse_vtp(read_all(file), file.string());
   check(file, *data, contract);
   if (!origin.isZero(0)) move_points<vtkFloatArray>(*data, -origin);
   return data;

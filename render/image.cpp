@@ -137,7 +137,7 @@ bool all_alike(const std::vector<std::uint8_t>& bytes, std::ptrdiff_t begin, std
 
 bool is_uniform(const Image& image, int first, int last) {
   const auto row = static_cast<std::ptrdiff_t>(image.width);
-  return all_alike(image.rgb, 3 * first * row, 3 * last * row, 3) &&
+  return all_alike(image.rgb, 3 * row * first, 3 * row * last, 3) &&
          (image.alpha.empty() || all_alike(image.alpha, first * row, last * row, 1));
 }
 

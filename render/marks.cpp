@@ -176,6 +176,7 @@ std::vector<AxisMark> axis_marks(const Camera& camera) {
   std::stable_sort(axes.begin(), axes.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<AxisMark> marks;
+  marks.reserve(axes.size());
   for (auto& [away, mark] : axes) marks.push_back(std::move(mark));
   return marks;
 }

@@ -90,11 +90,13 @@ Eigen::Vector3d to_oklab(const Pixel& color) {
 
 Pixel from_oklch(double lightness, double chroma, double hue) {
   const double angle = hue * std::numbers::pi / 180;
-  for (double c = chroma; c > 0; c -= 0.002) {
+  double c = chroma;
+  while (c > 0) {
     const Eigen::Vector3d lab(lightness, c * std::cos(angle), c * std::sin(angle));
     const Eigen::Vector3d roots = opponents().inverse() * lab;
     const Eigen::Vector3d light = cones().inverse() * roots.array().cube().matrix();
     if (light.minCoeff() >= -1e-4 && light.maxCoeff() <= 1 + 1e-4) return pixel(light);
+    c -= 0.002;
   }
   return pixel(Eigen::Vector3d::Constant(std::pow(lightness, 3)));
 }

@@ -94,6 +94,7 @@ std::vector<std::vector<Pixel>> choose_label_colors(const Segmentation& scene,
     for (std::size_t i = 0; i < panels.size(); ++i)
       if (panels[i].is_truth == truth && !panels[i].labels.empty()) order.push_back(i);
   std::vector<Labels> labels;
+  labels.reserve(order.size());
   for (const std::size_t i : order) labels.emplace_back(panels[i].labels);
   const draw::MatchedLabels matched = draw::match_labels(labels);
   const auto touching =

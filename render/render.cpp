@@ -38,7 +38,7 @@ Camera render_one(const draw::SceneData& scene, const RenderOptions& options,
   draw::Drawing drawing(scene, options, draw::Fit::Scene, std::move(window));
   const draw::Annotation words = draw::describe(scene, options.layers, options.annotation.title);
   const draw::Image image = drawing.draw(options.layers, options.size, words, options.color_by);
-  const Camera camera = draw::in_world(drawing.camera(), scene);
+  Camera camera = draw::in_world(drawing.camera(), scene);
   draw::write_png(image, png, draw::provenance(scene, options, options.layers, camera));
   return camera;
 }

@@ -110,6 +110,7 @@ vtkSmartPointer<vtkActor> dot_actor(const std::vector<Eigen::Vector3d>& dots, do
 std::vector<Eigen::Vector3d> lifted(const std::vector<Eigen::Vector3d>& corners,
                                     const Eigen::Vector3d& camera, double distance) {
   std::vector<Eigen::Vector3d> moved;
+  moved.reserve(corners.size());
   for (const Eigen::Vector3d& corner : corners)
     moved.push_back(draw::lifted(corner, camera, distance));
   return moved;
@@ -155,7 +156,8 @@ Actors plane_layer(const SceneData& scene, const SceneColors& colors, const Cuta
     outlines.add(outline, darken(colors.planes[static_cast<std::size_t>(index)], 0.45));
   }
   // Ordered where they are, and then lifted along the lines of sight, which changes no order.
-  for (const FlatPolygon& piece : painters_order(std::move(hulls), camera.eye())) {
+  const auto pieces = painters_order(std::move(hulls), camera.eye());
+  for (const FlatPolygon& piece : pieces) {
     const auto index =
         static_cast<std::size_t>(plane.GetTuple1(static_cast<vtkIdType>(piece.source)));
     fills.add(lifted(piece.corners, camera.eye(), lifts[piece.source]), colors.planes[index]);

@@ -68,7 +68,8 @@ Actors sheet_actors(const std::vector<Sheet>& sheets, const Camera& camera, doub
     around.push_back(around.front());
     outlines.add(raised(around, camera, 1.2 * lift), darken(sheet.color, 0.25));
   }
-  for (const FlatPolygon& piece : painters_order(std::move(polygons), camera.eye()))
+  const auto pieces = painters_order(std::move(polygons), camera.eye());
+  for (const FlatPolygon& piece : pieces)
     fills.add(raised(piece.corners, camera, lift), sheets[piece.source].color);
   if (fills.cells->GetNumberOfCells() == 0) return {};
   auto fill = fills.actor(false);

@@ -20,6 +20,7 @@ constexpr Pixel kGreen = {30, 130, 90}, kViolet = {116, 44, 170};
 template <class Value>
 std::vector<double> column(const std::vector<SweepRow>& rows, const Value& value) {
   std::vector<double> all;
+  all.reserve(rows.size());
   for (const SweepRow& row : rows) all.push_back(static_cast<double>(value(row)));
   return all;
 }

@@ -32,6 +32,7 @@ Pixel object_color(std::uint32_t object) {
 template <class Value>
 std::vector<double> column(const std::vector<TrackPlotRow>& rows, const Value& value) {
   std::vector<double> all;
+  all.reserve(rows.size());
   for (const TrackPlotRow& row : rows) all.push_back(value(row));
   return all;
 }

@@ -36,6 +36,7 @@ PointPatches recut_borders(const Segmentation& scene, const PointCloud& surface)
     if (label[pair.first] != label[pair.second]) borders.push_back(pair);
   }
   std::vector<std::uint32_t> segment;  // labels count from 1
+  segment.reserve(label.size());
   for (const std::uint32_t l : label) segment.push_back(l - 1);
   PointPatches points = point_patches(scene.graph);
   recut_points(surface, points, make_discs(scene), make_neighbour_table(label.size(), borders),

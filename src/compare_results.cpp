@@ -93,6 +93,7 @@ std::vector<std::int32_t> from_labels(const std::vector<std::uint32_t>& labels) 
 
 std::vector<std::uint32_t> to_labels(const std::vector<std::int32_t>& regions) {
   std::vector<std::uint32_t> labels;
+  labels.reserve(regions.size());
   for (const std::int32_t region : regions)
     labels.push_back(static_cast<std::uint32_t>(region) + 1);
   return labels;

@@ -56,14 +56,15 @@ double find_size(const PointCloud& cloud, double smallest, bool map) {
   constexpr double kWantedDegree = 5, kWantedShare = 0.8, kLargest = 4;
   const double step = map ? 1.12 : 1.25;  // faces of maps are lost to coarse voxels
   const Cohesion wide = map ? measure_cohesion(cloud, 2 * smallest) : Cohesion{};
-  double size = smallest;
-  for (; size < kLargest * smallest; size *= step) {
-    const Cohesion cohesion = measure_cohesion(cloud, size);
-    if (cohesion.degree < kWantedDegree) continue;
-    if (!map) break;
+  const auto suits = [&](double voxel) {
+    const Cohesion cohesion = measure_cohesion(cloud, voxel);
+    if (cohesion.degree < kWantedDegree) return false;
+    if (!map) return true;
     const bool whole = cohesion.connectivity >= kWantedShare * wide.connectivity;
-    if (whole && !cut_to_tiles(cloud, size, wide)) break;
-  }
+    return whole && !cut_to_tiles(cloud, voxel, wide);
+  };
+  double size = smallest;
+  while (size < kLargest * smallest && !suits(size)) size *= step;
   return size;
 }
 

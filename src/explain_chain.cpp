@@ -39,6 +39,8 @@ struct Cost {
   std::uint32_t off = 0;
   double margin = 0;
   std::uint32_t length = 0;
+  // The zero of the comparison that the compiler writes is no pointer.
+  // NOLINTNEXTLINE(modernize-use-nullptr)
   auto operator<=>(const Cost&) const = default;
 };
 

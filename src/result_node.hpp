@@ -86,7 +86,7 @@ class Node {
   }
 
   Eigen::Vector3f unit() const {
-    const Eigen::Vector3f v = position();
+    Eigen::Vector3f v = position();
     if (!(std::abs(v.norm() - 1) < 1e-3f)) fail("a unit vector");
     return v;
   }

@@ -191,6 +191,7 @@ float reach(float spacing) {
 
 float find_spacing(const std::vector<Moments>& seen, float radius) {
   std::vector<float> spacings;
+  spacings.reserve(seen.size());
   for (const Moments& m : seen) {
     spacings.push_back(radius * std::sqrt(std::numbers::pi_v<float> / std::max(m.count, 1.0f)));
   }
@@ -208,6 +209,7 @@ float find_noise(const std::vector<Moments>& seen) {
 double depth_noise(const PointCloud& cloud, const std::vector<std::uint32_t>& places) {
   if (!cloud.organised() || !cloud.sensor) return 0;
   std::vector<float> depths;
+  depths.reserve(places.size());
   for (const std::uint32_t i : places)
     depths.push_back(std::abs(cloud.positions[i].z() - cloud.sensor->z()));
   const auto z = double(median(std::move(depths)));

@@ -159,6 +159,7 @@ std::vector<Flip> WhatIf::seek_plane_flips(const std::function<bool(const Trial&
   std::ranges::stable_sort(
       found, {}, [](const auto& f) { return f.second.switched_on + f.second.switched_off; });
   std::vector<Flip> flips;
+  flips.reserve(found.size());
   for (auto& [rank, flip] : found) flips.push_back(std::move(flip));
   return flips;
 }

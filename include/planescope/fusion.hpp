@@ -40,6 +40,8 @@ struct Mesh {
 /// A block of 8 x 8 x 8 voxels by its place: it starts at 8 voxel_size times this.
 struct BlockKey {
   std::int32_t x = 0, y = 0, z = 0;
+  // The zero of the comparison that the compiler writes is no pointer.
+  // NOLINTNEXTLINE(modernize-use-nullptr)
   auto operator<=>(const BlockKey&) const = default;
 };
 

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <string_view>
 #include <vector>
 
 #include "cli/console.hpp"
@@ -45,7 +46,7 @@ void parse_frames(const std::string& text, SequenceOptions& options) {
   std::size_t begin = 0;
   for (std::size_t part = 0; begin <= text.size(); ++part) {
     const std::size_t end = std::min(text.find(':', begin), text.size());
-    const std::string word = text.substr(begin, end - begin);
+    const auto word = std::string_view(text).substr(begin, end - begin);
     const auto number = io::parse_word<std::uint32_t>(word);
     if (part >= 3 || (!word.empty() && !number)) {
       refuse("--frames", text, "FIRST:LAST:STEP, whole numbers from 0");

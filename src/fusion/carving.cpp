@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 namespace planescope::fusion {
@@ -17,13 +18,13 @@ NearestDepth::NearestDepth(const RangeImage& image) {
   while (levels_.back().width > 1 || levels_.back().height > 1) {
     const Level& fine = levels_.back();
     Level coarse{(fine.width + 1) / 2, (fine.height + 1) / 2, {}};
-    coarse.depth.reserve(static_cast<std::size_t>(coarse.width) * coarse.height);
+    coarse.depth.reserve(static_cast<std::size_t>(std::ptrdiff_t{coarse.width} * coarse.height));
     for (int y = 0; y < coarse.height; ++y) {
       const int y0 = 2 * y, y1 = std::min(2 * y + 1, fine.height - 1);
       for (int x = 0; x < coarse.width; ++x) {
         const int x0 = 2 * x, x1 = std::min(2 * x + 1, fine.width - 1);
         const auto at = [&](int column, int row) {
-          return fine.depth[static_cast<std::size_t>(row * fine.width + column)];
+          return fine.depth[static_cast<std::size_t>(std::ptrdiff_t{row} * fine.width + column)];
         };
         coarse.depth.push_back(std::min({at(x0, y0), at(x1, y0), at(x0, y1), at(x1, y1)}));
       }
@@ -40,7 +41,8 @@ float NearestDepth::find(int left, int top, int right, int bottom) const {
   float nearest = std::numeric_limits<float>::infinity();
   for (int y = top >> level; y <= bottom >> level; ++y) {
     for (int x = left >> level; x <= right >> level; ++x) {
-      nearest = std::min(nearest, chosen.depth[static_cast<std::size_t>(y * chosen.width + x)]);
+      nearest = std::min(
+          nearest, chosen.depth[static_cast<std::size_t>(std::ptrdiff_t{y} * chosen.width + x)]);
     }
   }
   return nearest;

@@ -3,6 +3,7 @@
 #include "fusion/surface_nets.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace planescope::fusion {
@@ -23,7 +24,7 @@ Voxel value_of(const Block& block, std::size_t voxel, std::uint32_t least) {
 }
 
 std::size_t index_of(int x, int y, int z) {
-  return static_cast<std::size_t>((z * kSide + y) * kSide + x);
+  return static_cast<std::size_t>((std::ptrdiff_t{z} * kSide + y) * kSide + x);
 }
 
 /// A block's voxels, and the next ones of its neighbours: the corners of all its cells.
@@ -46,7 +47,7 @@ class Corners {
   }
 
   Voxel& at(int x, int y, int z) {
-    return voxels_[static_cast<std::size_t>((z * kCorners + y) * kCorners + x)];
+    return voxels_[static_cast<std::size_t>((std::ptrdiff_t{z} * kCorners + y) * kCorners + x)];
   }
   const Block* source(int x, int y, int z) const {
     return source_[static_cast<std::size_t>((x / kSide) | (y / kSide) << 1 | (z / kSide) << 2)];
@@ -57,7 +58,7 @@ class Corners {
 
  private:
   std::array<const Block*, 8> source_{};
-  std::array<Voxel, kCorners * kCorners * kCorners> voxels_{};
+  std::array<Voxel, std::size_t{kCorners} * kCorners * kCorners> voxels_{};
 };
 
 /// A cell with its eight corners, corner c at (c & 1, c >> 1 & 1, c >> 2).

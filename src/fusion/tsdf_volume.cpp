@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
 
 #include "fusion/carving.hpp"
@@ -45,7 +46,7 @@ class Integrator {
       for (int y = 0; y < kSide; ++y) {
         Eigen::Vector3f p =
             (to_camera_ * (corner + Eigen::Vector3d(0, y * voxel_, z * voxel_))).cast<float>();
-        const auto row = static_cast<std::size_t>((z * kSide + y) * kSide);
+        const auto row = static_cast<std::size_t>((std::ptrdiff_t{z} * kSide + y) * kSide);
         for (std::size_t x = 0; x < kSide; ++x, p += step) changed |= update(p, block, row + x);
       }
     }
@@ -90,8 +91,10 @@ class Integrator {
     auto& color = block.color[voxel];
     const auto blend = [&](std::uint16_t& old, std::uint8_t now) {
       const float mean = static_cast<float>(old);
-      old =
-          static_cast<std::uint16_t>(mean + (static_cast<float>(now) * 256 - mean) * share + 0.5f);
+      const float next = mean + (static_cast<float>(now) * 256 - mean) * share;
+      // Not lround(): it is slower, and differs where `next` lies just below a half.
+      // NOLINTNEXTLINE(bugprone-incorrect-roundings)
+      old = static_cast<std::uint16_t>(next + 0.5f);
     };
     blend(color[0], rgb.r);
     blend(color[1], rgb.g);
@@ -185,6 +188,7 @@ std::vector<BlockKey> TsdfVolume::changed_since(std::uint32_t frame) const {
   }
   std::ranges::sort(keys);
   std::vector<BlockKey> changed;
+  changed.reserve(keys.size());
   for (const std::uint64_t key : keys) changed.push_back(fusion::unpack(key));
   return changed;
 }

@@ -40,7 +40,8 @@ class RecordMaker {
   RecordMaker(const std::vector<OutField>& fields, std::size_t points, CloudEncoding encoding)
       : fields_(fields), points_(points), encoding_(encoding) {
     for (const OutField& field : fields) stride_ += size_of(field.type);
-    block_points_ = std::max<std::size_t>(1, (std::size_t{1} << 18) / stride_);
+    const std::size_t stride = std::max<std::size_t>(1, stride_);  // 0 of no field at all
+    block_points_ = std::max<std::size_t>(1, (std::size_t{1} << 18) / stride);
   }
 
   std::size_t blocks() const { return (points_ + block_points_ - 1) / block_points_; }

@@ -110,7 +110,7 @@ struct Box {
 }  // namespace
 
 GridBounds find_grid_bounds(const PointCloud& cloud, double longest) {
-  const GridBounds all = finite_bounds(cloud);
+  GridBounds all = finite_bounds(cloud);
   if (!(all.lower.x() <= all.upper.x())) {
     throw Error(Error::Kind::Input, "the cloud has no finite point; expected at least one");
   }

@@ -103,7 +103,7 @@ class Growth {
          k < grid_.neighbour_offsets[voxel + std::size_t{1}]; ++k) {
       const std::int32_t label = label_[grid_.neighbours[k]];
       asked[count] = label;
-      count += (label != previous) & (label != kNone) ? 1 : 0;
+      count += ((label != previous) & (label != kNone)) ? 1 : 0;
       previous = label;
     }
     Claim best{voxel, own, own, distance_[voxel]};

@@ -19,12 +19,11 @@ namespace planescope {
 namespace {
 
 using Range = tbb::blocked_range<std::size_t>;
-constexpr std::size_t kGrain = 16384;
 
 // Bounds of a cloud that a grid can be laid over.
 GridBounds checked_bounds(const PointCloud& cloud, double voxel_size) {
   const double longest = (double(1u << kAxisBits) - 16) * voxel_size;
-  const GridBounds bounds = find_grid_bounds(cloud, longest);
+  GridBounds bounds = find_grid_bounds(cloud, longest);
   if (!(bounds.extent() < longest)) {
     std::ostringstream message;
     message << "the cloud spans " << bounds.extent() << " m, more than " << (1u << kAxisBits)

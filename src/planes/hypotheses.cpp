@@ -122,6 +122,7 @@ Hypotheses renew_hypotheses(const PatchIndex& index, const PlaneOptions& options
   Hypotheses result;
   if (index.size() == 0) return result;
   std::vector<Hypothesis> found;
+  found.reserve(held.size());
   for (const HeldPlane& h : held) {
     found.push_back({.plane = h.plane, .support = 0, .inliers = {}, .held = h.selected});
   }

@@ -90,6 +90,11 @@ std::int32_t cost_of(const LabellingProblem& problem, std::size_t patch, std::in
   return problem.none_cost;
 }
 
+// Where relax_labels() counts a label: the first place is that of kNone, which is -1.
+std::size_t place_of(std::int32_t label) {
+  return static_cast<std::size_t>(std::int64_t{label} + 1);
+}
+
 }  // namespace
 
 LabellingProblem make_labelling_problem(const PatchGraph& graph, const std::vector<Plane>& planes,
@@ -129,11 +134,9 @@ Labels relax_labels(const LabellingProblem& problem, Labels labels) {
   for (bool changed = true; changed;) {
     changed = false;
     for (std::size_t i = 0; i < problem.size(); ++i) {
-      for (const std::uint32_t j : problem.neighbours_of(i))
-        ++agreeing[static_cast<std::size_t>(labels[j] + 1)];
+      for (const std::uint32_t j : problem.neighbours_of(i)) ++agreeing[place_of(labels[j])];
       const auto local = [&](std::int32_t label, std::int32_t cost) {
-        return std::int64_t{cost} -
-               std::int64_t{problem.potts} * agreeing[static_cast<std::size_t>(label + 1)];
+        return std::int64_t{cost} - std::int64_t{problem.potts} * agreeing[place_of(label)];
       };
       std::int32_t best = labels[i];
       std::int64_t least = local(best, cost_of(problem, i, best));
@@ -145,8 +148,7 @@ Labels relax_labels(const LabellingProblem& problem, Labels labels) {
       offer(kNone, problem.none_cost);
       changed |= best != labels[i];
       labels[i] = best;
-      for (const std::uint32_t j : problem.neighbours_of(i))
-        agreeing[static_cast<std::size_t>(labels[j] + 1)] = 0;
+      for (const std::uint32_t j : problem.neighbours_of(i)) agreeing[place_of(labels[j])] = 0;
     }
   }
   return labels;

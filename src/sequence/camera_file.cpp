@@ -108,7 +108,7 @@ CameraFile read_camera_file(const std::filesystem::path& file) {
   if (input.size() > kMostBytes) refuse(file, "has more than 1 MB");
   std::byte first{};
   input.read_at(0, {&first, 1});
-  const CameraFile camera = first == std::byte{'{'} ? parse_json(file) : parse_text(file);
+  CameraFile camera = first == std::byte{'{'} ? parse_json(file) : parse_text(file);
   const PinholeCamera& lens = camera.lens;
   if (lens.width == 0 || lens.height == 0) refuse(file, "width or height is not 1 to 8192");
   const bool focal = lens.fx > 0 && lens.fy > 0 && lens.fx < 1e6 && lens.fy < 1e6;

@@ -57,6 +57,7 @@ std::vector<fs::path> list_files(const fs::path& folder, const std::vector<std::
   std::ranges::sort(names);
   std::ranges::stable_sort(names, in_order);
   std::vector<fs::path> files;
+  files.reserve(names.size());
   for (const std::string& name : names) files.push_back(folder / name);
   return files;
 }

@@ -33,7 +33,7 @@ std::optional<Eigen::Isometry3d> read_matrix(TextLines& lines) {
     }
   }
   if (!matrix.allFinite()) return std::nullopt;
-  const std::optional<Eigen::Isometry3d> pose = make_rigid(matrix);
+  std::optional<Eigen::Isometry3d> pose = make_rigid(matrix);
   if (!pose) {
     lines.fail(
         "the pose that ends here is no rotation and translation (within 1e7 m); expected a "

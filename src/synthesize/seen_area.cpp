@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace planescope::synthesis {
 namespace {
@@ -29,7 +30,7 @@ SeenArea::SeenArea(const Scene& scene) : scene_(scene), grids_(scene.surfaces().
     // A whole number of cells, so that a face that was seen wholly has its own area.
     grid.columns = std::max(1, static_cast<int>(std::lround(2 * geometry.a / kCell)));
     grid.rows = std::max(1, static_cast<int>(std::lround(2 * half_height(geometry) / kCell)));
-    grid.seen.assign(static_cast<std::size_t>(grid.columns * grid.rows), false);
+    grid.seen.assign(static_cast<std::size_t>(std::ptrdiff_t{grid.columns} * grid.rows), false);
   }
 }
 
@@ -41,12 +42,13 @@ void SeenArea::add(const Camera& camera, const DepthView& view, const PointCloud
     if (grid.seen.empty()) continue;
     const SurfaceGeometry& geometry = scene_.surfaces()[s].geometry;
     const auto width = static_cast<std::size_t>(camera.width);
-    const Ray ray = camera.ray(static_cast<double>(i % width), static_cast<double>(i / width));
+    const std::size_t across = i % width, down = i / width;
+    const Ray ray = camera.ray(static_cast<double>(across), static_cast<double>(down));
     const Vector3d on_face = ray.origin + static_cast<double>(view.depth[i]) * ray.direction;
     const Vector2d place = geometry.at(on_face).texture;
     const int column = cell(place.x(), geometry.a, grid.columns);
     const int row = cell(place.y(), half_height(geometry), grid.rows);
-    grid.seen[static_cast<std::size_t>(row * grid.columns + column)] = true;
+    grid.seen[static_cast<std::size_t>(std::ptrdiff_t{row} * grid.columns + column)] = true;
   }
 }
 
@@ -57,8 +59,9 @@ VisiblePart SeenArea::part(std::size_t surface) const {
   std::size_t seen = 0;
   for (int k = 0; k < static_cast<int>(grid.seen.size()); ++k) {
     if (!grid.seen[static_cast<std::size_t>(k)]) continue;
-    const double x = (2 * (k % grid.columns + 0.5) / grid.columns - 1) * geometry.a;
-    const double y = (2 * (k / grid.columns + 0.5) / grid.rows - 1) * half_height(geometry);
+    const int column = k % grid.columns, row = k / grid.columns;
+    const double x = (2 * (column + 0.5) / grid.columns - 1) * geometry.a;
+    const double y = (2 * (row + 0.5) / grid.rows - 1) * half_height(geometry);
     part.centroid += geometry.pose * Vector3d(x, y, 0);
     ++seen;
   }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -28,7 +29,9 @@ double grazing_loss(double cosine) {
 
 // True where a neighbouring pixel shows another surface, more than 5 % nearer or farther away.
 bool on_depth_edge(const DepthView& view, const Camera& camera, int column, int row) {
-  const auto index = [&](int x, int y) { return static_cast<std::size_t>(y * camera.width + x); };
+  const auto index = [&](int x, int y) {
+    return static_cast<std::size_t>(std::ptrdiff_t{y} * camera.width + x);
+  };
   const std::size_t self = index(column, row);
   const auto breaks = [&](int x, int y) {
     if (x < 0 || y < 0 || x >= camera.width || y >= camera.height) return false;
@@ -45,7 +48,7 @@ void sense_row(const Scene& scene, const Camera& camera, const DepthView& view,
                const SynthesisOptions& options, Random random, int row, PointCloud& cloud) {
   constexpr double kEdgeLoss = 0.5;
   for (int column = 0; column < camera.width; ++column) {
-    const auto i = static_cast<std::size_t>(row * camera.width + column);
+    const auto i = static_cast<std::size_t>(std::ptrdiff_t{row} * camera.width + column);
     if (view.surface[i] == kNone) continue;
     const Surface& surface = scene.surfaces()[static_cast<std::size_t>(view.surface[i])];
     const Ray ray = camera.ray(column, row);

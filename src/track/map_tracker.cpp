@@ -99,7 +99,7 @@ Eigen::Vector3d MapTracker::State::checked_mean(const SurfacePiece& piece) const
   if (origin && piece.points.origin != *origin) {
     throw Error(Error::Kind::Input, "tracking: a piece has another origin than the first one");
   }
-  const Eigen::Vector3d mean = track::mean_of(piece.points);
+  Eigen::Vector3d mean = track::mean_of(piece.points);
   if (!(mean.cwiseAbs().maxCoeff() < 1e9 * options.tile_size)) {
     throw Error(Error::Kind::Input, "tracking: a piece lies a billion tiles away from the origin");
   }

@@ -59,6 +59,7 @@ std::vector<BlockKey> MapTracker::State::most_changed() const {
 std::size_t MapTracker::State::repatch() {
   const std::vector<BlockKey> keys = most_changed();
   std::vector<Tile*> chosen;
+  chosen.reserve(keys.size());
   for (const BlockKey& key : keys) chosen.push_back(&tiles.at(key));
   tbb::parallel_for(std::size_t{0}, keys.size(),
                     [&](std::size_t i) { renew(*chosen[i], keys[i], options, place_size()); });

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace planescope::track {
 
@@ -140,14 +141,16 @@ void put_votes(io::StateWriter& to, const std::vector<std::vector<Vote>>& votes)
 std::vector<std::vector<Vote>> get_votes(io::StateReader& from, std::uint32_t last_object) {
   std::vector<std::vector<Vote>> votes;
   for (std::size_t patches = from.length(8); patches > 0; --patches) {
-    std::vector<Vote>& own = votes.emplace_back();
+    std::vector<Vote> own;
     for (std::size_t count = from.length(12); count > 0; --count) {
-      Vote& vote = own.emplace_back();
+      Vote vote;
       for (std::uint32_t* part : {&vote.object, &vote.points, &vote.steady}) {
         *part = from.get<std::uint32_t>();
       }
       from.require(vote.object >= 1 && vote.object <= last_object, "a vote for no object");
+      own.push_back(vote);
     }
+    votes.push_back(std::move(own));
   }
   return votes;
 }
