@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <type_traits>
 
 #include <Eigen/Core>
 
@@ -17,14 +18,17 @@
 /// \file Short ways to and from VTK's arrays.
 namespace planescope::draw {
 
-/// A named array of one component, value(i) for i in [0, count).
+/// A named array of one component, value(i) for i in [0, count). Zeros are positive: VTK finds an
+/// array's range with several threads, writes it into files, and of both zeros it would be any one.
 template <typename Array, typename Value>
 vtkSmartPointer<Array> make_column(const char* name, std::size_t count, Value&& value) {
   auto array = vtkSmartPointer<Array>::New();
   array->SetName(name);
   array->SetNumberOfTuples(static_cast<vtkIdType>(count));
   for (std::size_t i = 0; i < count; ++i) {
-    array->SetValue(static_cast<vtkIdType>(i), static_cast<typename Array::ValueType>(value(i)));
+    auto element = static_cast<typename Array::ValueType>(value(i));
+    if constexpr (std::is_floating_point_v<decltype(element)>) element += 0;  // -0 + 0 is 0
+    array->SetValue(static_cast<vtkIdType>(i), element);
   }
   return array;
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <set>
 #include <string>
@@ -54,6 +55,20 @@ std::set<std::pair<double, double>> brute_force_hull(const std::vector<Eigen::Ve
     }
   }
   return corners;
+}
+
+// VTK finds ranges with several threads: of 0 and -0 the file's RangeMin was now one, now the other.
+TEST(Geometry, zeros_have_no_sign) {
+  ToyScene toy = toy_room();
+  for (std::size_t e = 0; e < toy.scene.edges.size(); ++e) {
+    toy.scene.edges[e].margin = e % 2 == 0 ? -0.0F : 0.0F;
+  }
+  const auto graph = graph_geometry(toy.scene);
+  vtkDataArray& margins = *graph->GetCellData()->GetArray("margin");
+  ASSERT_GT(margins.GetNumberOfTuples(), 1);
+  for (vtkIdType e = 0; e < margins.GetNumberOfTuples(); ++e) {
+    EXPECT_FALSE(std::signbit(margins.GetTuple1(e))) << e;
+  }
 }
 
 TEST(Hull, equals_the_definition_on_small_random_sets) {
