@@ -162,6 +162,7 @@ class Sequence {
   void take_frames(const std::vector<sequence::ListedFrame>& listed,
                    const SequenceOptions& options);
   void find_camera(const SequenceOptions& options);
+  void check_lens() const;
 
   std::filesystem::path folder_;
   SequenceLayout layout_ = SequenceLayout::Tum;
@@ -173,8 +174,11 @@ class Sequence {
 };
 
 /// Writes the frames' poses, whole or not at all: `*.log` as Redwood's trajectory.log (the numbers
-/// are the frames'), `*.txt` as TUM's `time tx ty tz qx qy qz qw`.
-/// \throws Error{Kind::Usage} another ending; Error{Kind::Input} it cannot be written.
+/// are the frames'; read again, the poses are the same bits), `*.txt` as TUM's `time tx ty tz qx qy
+/// qz qw`. \throws Error{Kind::Usage} another ending, or *.txt where the frames have no
+/// times; Error{Kind::Input} it cannot be written.
 void write_trajectory(const Sequence& sequence, const std::filesystem::path& file);
+/// The check of its name alone, before work is done for it. \throws Error{Kind::Usage} likewise.
+void check_trajectory_name(const std::filesystem::path& file, SequenceLayout layout);
 
 }  // namespace planescope

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <string_view>
 #include <vector>
 
@@ -57,6 +58,17 @@ void parse_frames(const std::string& text, SequenceOptions& options) {
   if (options.step < 1 || options.first > options.last) {
     refuse("--frames", text, "FIRST:LAST:STEP, FIRST up to LAST, STEP at least 1");
   }
+}
+
+std::string count(std::size_t n, const std::string& what) {
+  return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+}
+
+/// 1000, 6553.5: no more digits than it has.
+std::string units(double scale) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.8g", scale);
+  return text;
 }
 
 }  // namespace
@@ -140,14 +152,15 @@ Sequence DepthArguments::open(const std::filesystem::path& folder, const Console
   if (!max_depth_) wanted.max_depth = std::max(kSurest, 2 * wanted.min_depth);
   wanted.poses = odometry_ ? PoseSource::None : PoseSource::FilesIfThere;
   Sequence sequence(folder, wanted);
-  std::string text = folder.string() + ": " + std::to_string(sequence.size()) + " frames, layout " +
-                     std::string(name(sequence.layout())) + ", camera from " +
-                     sequence.camera_source();
+  std::string text = folder.string() + ": " + count(sequence.size(), "frame") + ", layout " +
+                     std::string(name(sequence.layout())) +
+                     ", camera: " + sequence.camera_source() + ", " +
+                     units(sequence.camera().depth_scale) + " units a metre";
   if (sequence.lost() > 0) {
-    text += "; " + std::to_string(sequence.lost()) + " frames left out: tracking lost";
+    text += "; " + count(sequence.lost(), "frame") + " left out: tracking lost";
   }
   if (sequence.unposed() > 0) {
-    text += "; " + std::to_string(sequence.unposed()) + " frames left out: no pose";
+    text += "; " + count(sequence.unposed(), "frame") + " left out: no pose";
   }
   console.say(text);
   if (!sequence.has_poses()) give_poses(sequence, console);

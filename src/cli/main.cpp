@@ -40,7 +40,7 @@ int main(int argc, char** argv) {
   } catch (const planescope::Error& error) {
     return fail(error.what(), error.kind());
   } catch (const std::bad_alloc&) {
-    return fail("out of memory; give it more, or take a larger --voxel-size or fewer points",
+    return fail("out of memory; give it more, or take larger voxels, or fewer points or frames",
                 Kind::Computation);
   } catch (const std::system_error& error) {
     const bool starved = error.code() == std::errc::resource_unavailable_try_again ||

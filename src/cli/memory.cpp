@@ -26,7 +26,8 @@ namespace {
     if (std::current_exception()) std::rethrow_exception(std::current_exception());
   } catch (const std::bad_alloc&) {
     line =
-        "planescope: out of memory; give it more, or take a larger --voxel-size or fewer points\n";
+        "planescope: out of memory; give it more, or take larger voxels, or fewer points or "
+        "frames\n";
     kind = Error::Kind::Computation;
   } catch (...) {
   }

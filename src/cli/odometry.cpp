@@ -18,7 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::path find_program() {
-  if (const char* named = std::getenv("PLANESCOPE_ODOMETRY")) return named;
+  const char* named = std::getenv("PLANESCOPE_ODOMETRY");
+  if (named != nullptr && *named != '\0') return named;
   return fs::read_symlink("/proc/self/exe").parent_path() / "planescope-odometry";
 }
 
@@ -34,12 +35,33 @@ void set_upright(Sequence& sequence) {
   sequence.set_poses(poses);
 }
 
+/// `; lost: 3, 7-9`, by the frames' numbers; nothing where none is.
+std::string lost_frames(const Sequence& sequence,
+                        const std::vector<std::optional<Eigen::Isometry3d>>& poses) {
+  constexpr std::size_t kMost = 20;  // of ranges that anyone reads
+  std::string text;
+  std::size_t ranges = 0;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (poses[i]) continue;
+    const std::size_t first = i;
+    while (i + 1 < poses.size() && !poses[i + 1]) ++i;
+    if (++ranges > kMost) return text + ", ...";
+    text += text.empty() ? "; lost: " : ", ";
+    text += std::to_string(sequence.info(first).number);
+    if (i == first) continue;
+    text += '-';
+    text += std::to_string(sequence.info(i).number);
+  }
+  return text;
+}
+
 }  // namespace
 
 void give_poses(Sequence& sequence, const Console& console) {
-  const std::string folder = sequence.folder().string();
+  if (sequence.size() == 1) return sequence.set_poses({Eigen::Isometry3d::Identity()});
   const fs::path program = find_program();
-  if (!fs::exists(program)) {
+  const std::string folder = sequence.folder().string();
+  if (!fs::is_regular_file(program)) {
     throw Error(Error::Kind::Input,
                 folder + ": has depth images but no poses, and " + program.string() +
                     ", which estimates them, is not there (it is built with libopen3d-dev); "
@@ -51,12 +73,14 @@ void give_poses(Sequence& sequence, const Console& console) {
               "neither relief nor texture");
   Stopwatch watch;
   const auto matcher = start_open3d_matcher(program, sequence.camera());
+  const auto poses = estimate_poses(sequence, *matcher, {}, console.progress());
+  const std::string lost = lost_frames(sequence, poses);
   const std::size_t frames = sequence.size();
-  sequence.set_poses(estimate_poses(sequence, *matcher, {}, console.progress()));
+  sequence.set_poses(poses);
   set_upright(sequence);
   const double time = watch.lap();
   console.say("odometry: " + std::to_string(sequence.size()) + " of " + std::to_string(frames) +
-              " frames have poses, " + duration(time) + ", " +
+              " frames have poses" + lost + "; " + duration(time) + ", " +
               duration(time / static_cast<double>(frames)) + " a frame");
 }
 

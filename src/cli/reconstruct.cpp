@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the planescope authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <tbb/global_control.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -42,6 +43,11 @@ void check_output(const char* option, const fs::path& file, const std::vector<st
   if (!folder.empty() && !fs::is_directory(folder)) {  // before minutes are spent
     throw Error(Error::Kind::Input, folder.string() + ": is no folder; make it first");
   }
+  if (::access(folder.empty() ? "." : folder.c_str(), W_OK) != 0) {
+    throw Error(Error::Kind::Input, (folder.empty() ? "." : folder.string()) +
+                                        ": cannot be written into; take another folder for " +
+                                        option);
+  }
 }
 
 void print_json(const Arguments& a, const Sequence& sequence, const TsdfVolume& volume,
@@ -65,6 +71,13 @@ void run(const Arguments& a) {
   check_output("-o", a.cloud, {".ply", ".pcd"});
   if (!a.mesh.empty()) check_output("--mesh", a.mesh, {".ply"});
   if (!a.trajectory.empty()) check_output("--trajectory", a.trajectory, {".log", ".txt"});
+  if (!a.trajectory.empty()) {  // before odometry takes minutes
+    SequenceOptions wanted = a.depth.options();
+    wanted.color = false;
+    wanted.poses = PoseSource::None;
+    const Sequence listed(a.sequence, wanted);
+    check_trajectory_name(a.trajectory, listed.layout());
+  }
   std::unique_ptr<TbbLimit> limit;
   if (a.threads > 0) {
     limit = std::make_unique<TbbLimit>(TbbLimit::max_allowed_parallelism, a.threads);

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the planescope authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
 #include <future>
 #include <numbers>
 #include <string>
 #include <utility>
 
+#include "odometry/observability.hpp"
 #include "planescope/error.hpp"
 #include "planescope/odometry.hpp"
 
@@ -26,7 +28,9 @@ struct Chain {
 
   void add(std::size_t frame, const Eigen::Isometry3d& motion) {
     const std::size_t frames = frame - last();
-    poses.emplace_back(frame, poses.back().second * motion);
+    Eigen::Isometry3d pose = poses.back().second * motion;
+    pose.linear() = Eigen::Quaterniond(pose.linear()).normalized().toRotationMatrix();
+    poses.emplace_back(frame, pose);
     // over a gap the motion is not known frame by frame
     step = frames == 1 ? motion : Eigen::Isometry3d::Identity();
   }
@@ -38,6 +42,35 @@ struct Chain {
     return motion;
   }
 };
+
+/// Frames that show too little are not matched, nor others to them.
+bool shows_enough(const Frame& frame, const DepthCamera& camera, const OdometryOptions& options) {
+  const odometry::Observability view = odometry::observe(frame, camera);
+  return view.relief >= options.min_relief || view.texture >= options.min_texture;
+}
+
+/// The longest, of equals the first. \throws Error{Kind::Computation} it is no chain.
+const Chain& longest_chain(const std::vector<Chain>& chains, const Sequence& sequence) {
+  const std::string whose =
+      sequence.folder().string() + ": odometry: of " + std::to_string(sequence.size()) + " frames ";
+  if (chains.empty()) {
+    throw Error(Error::Kind::Computation,
+                whose +
+                    "none shows relief or texture enough to find the camera by; are there depths "
+                    "between --min-depth and --max-depth, at this --depth-scale?");
+  }
+  const auto shorter = [](const Chain& a, const Chain& b) {
+    return a.poses.size() < b.poses.size();
+  };
+  const Chain& longest = *std::ranges::max_element(chains, shorter);
+  if (sequence.size() > 1 && longest.poses.size() == 1) {
+    throw Error(Error::Kind::Computation,
+                whose +
+                    "no two in a row fit each other; expected small steps between frames, and "
+                    "the right --intrinsics and --depth-scale");
+  }
+  return longest;
+}
 
 bool is_believed(const FrameMatch& match, std::uint32_t frames, const OdometryOptions& options) {
   const double angle = Eigen::AngleAxisd(match.motion.linear()).angle() * 180 / std::numbers::pi;
@@ -89,8 +122,9 @@ std::vector<std::optional<Eigen::Isometry3d>> estimate_poses(const Sequence& seq
     if (progress) progress("odometry", double(i) / double(sequence.size()));
     const Frame frame = next.get();
     if (i + 1 < sequence.size()) next = read(i + 1);
+    if (!shows_enough(frame, sequence.camera(), options)) continue;
     matcher.take(frame);
-    if (i == 0) {
+    if (chains.empty()) {
       chains.emplace_back(i);
       matcher.keep();
     } else {
@@ -98,18 +132,8 @@ std::vector<std::optional<Eigen::Isometry3d>> estimate_poses(const Sequence& seq
       put_to(chains, i, frame.info.number - before, matcher, options);
     }
   }
-  const Chain* longest = &chains.front();
-  for (const Chain& chain : chains) {
-    if (chain.poses.size() > longest->poses.size()) longest = &chain;
-  }
-  if (sequence.size() > 1 && longest->poses.size() == 1) {
-    throw Error(Error::Kind::Computation,
-                sequence.folder().string() + ": odometry: of " + std::to_string(sequence.size()) +
-                    " frames no two in a row fit each other; expected small steps between frames, "
-                    "and the right --intrinsics and --depth-scale");
-  }
   std::vector<std::optional<Eigen::Isometry3d>> poses(sequence.size());
-  for (const auto& [frame, pose] : longest->poses) poses[frame] = pose;
+  for (const auto& [frame, pose] : longest_chain(chains, sequence).poses) poses[frame] = pose;
   if (progress) progress("odometry", 1);
   return poses;
 }

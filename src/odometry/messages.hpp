@@ -31,7 +31,8 @@ struct Request {
 };
 
 struct Reply {
-  std::uint32_t found = 0, unused = 0;
+  std::uint64_t magic = kMagic;
+  std::uint64_t found = 0;             // 0 or 1
   double share = 0;                    // FrameMatch::share
   std::array<double, 16> motion = {};  // by columns
 };

@@ -60,7 +60,7 @@ class Program {
     while (size > 0) {
       const ssize_t done = ::send(socket_, at, size, MSG_NOSIGNAL);
       if (done < 0 && errno == EINTR) continue;
-      if (done <= 0) fail(errno);
+      if (done <= 0) fail_by(done == 0 ? 0 : errno);
       at += done;
       size -= static_cast<std::size_t>(done);
     }
@@ -73,12 +73,16 @@ class Program {
     while (size > 0) {
       const ssize_t done = ::recv(socket_, at, size, 0);
       if (done < 0 && errno == EINTR) continue;
-      if (done <= 0) fail(done == 0 ? 0 : errno);
+      if (done <= 0) fail_by(done == 0 ? 0 : errno);
       at += done;
       size -= static_cast<std::size_t>(done);
     }
+    if (reply.magic != odometry::kMagic || reply.found > 1) fail("answers with nonsense");
     return reply;
   }
+
+  /// What it works on, for messages.
+  void work_on(const std::string& what) { work_ = what; }
 
  private:
   /// What it prints goes nowhere: its answers say what there is to say.
@@ -109,15 +113,30 @@ class Program {
                     "; it is built where libopen3d-dev is installed, and estimates poses");
   }
 
-  [[noreturn]] void fail(int failure) const {
-    const bool silent = failure == EAGAIN || failure == EWOULDBLOCK;
-    throw Error(Error::Kind::Computation,
-                name_ + (silent ? ": gives no answer" : ": has ended before its work was done") +
-                    "; give poses with the sequence, or leave out the frames that it does not "
-                    "take (--frames)");
+  [[noreturn]] void fail_by(int failure) const {
+    if (failure == EAGAIN || failure == EWOULDBLOCK) fail("gives no answer");
+    fail("has ended" + how_it_ended());
   }
 
-  std::string name_;
+  [[noreturn]] void fail(const std::string& how) const {
+    throw Error(Error::Kind::Computation, name_ + ": " + how +
+                                              (work_.empty() ? ", at its start" : ", at " + work_) +
+                                              "; give poses with the sequence, or other --frames");
+  }
+
+  /// ` with exit code 1`; nothing where it has not ended, or not soon.
+  std::string how_it_ended() const {
+    siginfo_t info{};
+    for (int tries = 0; tries < 50 && info.si_pid == 0; ++tries) {
+      if (::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) != 0) break;
+      if (info.si_pid == 0) ::usleep(10'000);
+    }
+    if (info.si_pid == 0) return "";
+    return (info.si_code == CLD_EXITED ? " with exit code " : " by signal ") +
+           std::to_string(info.si_status);
+  }
+
+  std::string name_, work_;
   int socket_ = -1;
   pid_t pid_ = -1;
 };
@@ -161,6 +180,7 @@ class Open3dMatcher final : public FrameMatcher {
     for (const std::uint16_t z : frame.depth.values) {
       depths.push_back(static_cast<float>(camera_.depth(z)));
     }
+    program_.work_on(frame.info.depth.string());
     request(Do::Take, has_color);
     program_.send(depths.data(), depths.size() * sizeof(float));
     program_.send(values.data(), values.size() * sizeof(float));

@@ -41,8 +41,6 @@ SequenceLayout detect_layout(const std::filesystem::path& folder, bool with_pose
 /// True where there is a file of poses, whatever it holds.
 bool has_pose_files(const std::filesystem::path& folder, SequenceLayout layout);
 
-/// An entry of Redwood's trajectory.log: five lines.
-std::string trajectory_entry(std::uint32_t frame, const Eigen::Isometry3d& pose);
 
 /// Reads four lines of four numbers: camera to world.
 /// \returns nothing where a number is not finite: tracking was lost.

@@ -15,8 +15,10 @@ std::optional<Eigen::Isometry3d> make_rigid(const Eigen::Matrix4d& matrix, doubl
                      matrix.topRightCorner<3, 1>().cwiseAbs().maxCoeff() <= 1e7;
   if (!rigid) return std::nullopt;
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() = Eigen::Quaterniond(rotation).normalized().toRotationMatrix();
   pose.translation() = matrix.topRightCorner<3, 1>();
+  pose.linear() = rotation;  // as it is where it is one: what write_trajectory() wrote comes back
+  if (deviation.cwiseAbs().maxCoeff() <= 1e-12) return pose;
+  pose.linear() = Eigen::Quaterniond(rotation).normalized().toRotationMatrix();
   return pose;
 }
 

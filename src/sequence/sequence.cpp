@@ -118,7 +118,7 @@ void Sequence::find_camera(const SequenceOptions& options) {
   CameraFile found;
   if (options.lens) {
     found.lens = *options.lens;
-    camera_source_ = "as asked for";
+    camera_source_ = "as given";
   }
   if (!options.lens || !options.depth_scale) {  // the file may hold the one that is not given
     sequence::FoundCamera own = sequence::find_camera(folder_, layout_);
@@ -131,10 +131,26 @@ void Sequence::find_camera(const SequenceOptions& options) {
   camera_.depth_scale = options.depth_scale.value_or(found.depth_scale.value_or(usual));
   camera_.min_depth = options.min_depth;
   camera_.max_depth = options.max_depth;
-  if (camera_.lens.width != 0) return;
-  const DepthImage first = read_depth_image(frames_.front().depth);
-  camera_.lens.width = first.width;
-  camera_.lens.height = first.height;
+  if (camera_.lens.width == 0) {
+    const DepthImage first = read_depth_image(frames_.front().depth);
+    camera_.lens.width = first.width;
+    camera_.lens.height = first.height;
+  }
+  check_lens();
+}
+
+/// The axis may leave a picture that was cut out of a larger one, but not by far.
+void Sequence::check_lens() const {
+  const PinholeCamera& lens = camera_.lens;
+  const auto is_near = [](double at, std::uint32_t size) {
+    return at > -1.0 * size && at < 2.0 * size;
+  };
+  if (is_near(lens.cx, lens.width) && is_near(lens.cy, lens.height)) return;
+  throw Error(Error::Kind::Input,
+              folder_.string() + ": the camera (" + camera_source_ + ") looks along pixel " +
+                  std::to_string(lens.cx) + ", " + std::to_string(lens.cy) + " of " +
+                  size_text(lens.width, lens.height) +
+                  "; expected cx and cy in the image; are the --intrinsics FX,FY,CX,CY?");
 }
 
 Frame Sequence::read(std::size_t i) const {

@@ -9,7 +9,6 @@
 #include "planescope/error.hpp"
 #include "planescope/image.hpp"
 #include "planescope/synthesize.hpp"
-#include "sequence/layouts.hpp"
 #include "synthesize/room.hpp"
 #include "synthesize/sampling.hpp"
 #include "synthesize/seen_area.hpp"
@@ -39,6 +38,19 @@ std::string file_name(std::uint32_t frame) {
   char text[16];
   std::snprintf(text, sizeof text, "%05u.png", frame);
   return text;
+}
+
+std::string trajectory_entry(std::uint32_t frame, const Eigen::Isometry3d& pose) {
+  char text[256];
+  std::snprintf(text, sizeof text, "%u %u %u\n", frame, frame, frame + 1);
+  std::string entry = text;
+  for (int row = 0; row < 4; ++row) {
+    const auto& m = pose.matrix();
+    std::snprintf(text, sizeof text, "%.10f %.10f %.10f %.10f\n", m(row, 0) + 0.0, m(row, 1) + 0.0,
+                  m(row, 2) + 0.0, m(row, 3) + 0.0);
+    entry += text;
+  }
+  return entry;
 }
 
 void make_folder(const fs::path& folder) {
@@ -85,7 +97,7 @@ SynthesizedScene write_sequence(const SynthesisOptions& options, std::uint32_t f
     seen.add(cameras[k], depth, view);
     write_depth_image(to_depth(view), folder / "depth" / file_name(k));
     write_color_image({view.width, view.height, view.colors}, folder / "image" / file_name(k));
-    trajectory += sequence::trajectory_entry(k, shift * cameras[k].pose);
+    trajectory += trajectory_entry(k, shift * cameras[k].pose);
   }
   made.planes = synthesis::describe_seen(
       room.scene, seen,
