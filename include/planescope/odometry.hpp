@@ -46,13 +46,12 @@ class FrameMatcher {
 std::unique_ptr<FrameMatcher> start_open3d_matcher(const std::filesystem::path& program,
                                                    const DepthCamera& camera, double patience = 60);
 
-/// When a motion is believed. Relief and texture are those of src/odometry/observability.hpp. The
-/// values were chosen on a synthesized walk through a bare room (`synthesize --sequence 300`): of
-/// 271 motions that Open3D found 126 were wrong by more than 2 cm; these leave 122 right and 13
-/// wrong ones.
+/// When a motion is believed. Relief and texture are those of src/odometry/observability.hpp; their
+/// values were chosen on a synthesized walk through a bare room (`synthesize --sequence 300`), so
+/// that motions along walls, which slide by decimetres, are not.
 struct OdometryOptions {
   double min_share = 0.5;     ///< of FrameMatch::share
-  double min_relief = 0.015;  ///< a frame has this much relief,
+  double min_relief = 0.03;   ///< a frame has this much relief,
   double min_texture = 0.3;   ///< or this much texture [1/m^2]
   double max_distance = 0.5;  ///< [m] a frame of the sequence (those that were left out count)
   double max_angle = 30;      ///< [deg] a frame of the sequence, likewise

@@ -18,17 +18,30 @@ class View {
  public:
   View(const Frame& frame, const DepthCamera& camera) : frame_(frame), camera_(camera) {}
 
-  /// The point that a pixel sees; z is 0 where it sees none.
-  Vector3d point(std::uint32_t x, std::uint32_t y) const {
+  /// The point that a pixel sees; z is 0 where it sees none. Of pixels up to `reach` away the mean
+  /// depth, as far as they go on with this one: a far wall's noise is no relief.
+  Vector3d point(std::uint32_t x, std::uint32_t y, std::uint32_t reach = 0) const {
     const PinholeCamera& lens = camera_.lens;
-    const double z = camera_.depth(frame_.depth.values[at(x, y)]);
+    const double here = depth(x, y);
+    double sum = 0, count = 0;
+    for (std::uint32_t v = y - std::min(y, reach); v <= y + reach && v < height(); ++v) {
+      for (std::uint32_t u = x - std::min(x, reach); u <= x + reach && u < width(); ++u) {
+        const double z = depth(u, v);
+        if (!(z > 0) || std::abs(z - here) > 0.1 * here) continue;
+        sum += z;
+        count += 1;
+      }
+    }
+    const double z = here > 0 ? sum / count : 0;
     return {(x - lens.cx) / lens.fx * z, (y - lens.cy) / lens.fy * z, z};
   }
 
   /// Of the surface, from pixels `base` away on all four sides; nothing at its ends and edges.
   std::optional<Vector3d> normal(std::uint32_t x, std::uint32_t y, std::uint32_t base) const {
-    const Vector3d p = point(x, y), left = point(x - base, y), right = point(x + base, y);
-    const Vector3d above = point(x, y - base), below = point(x, y + base);
+    const std::uint32_t reach = base / 4;
+    const Vector3d p = point(x, y, reach);
+    const Vector3d left = point(x - base, y, reach), right = point(x + base, y, reach);
+    const Vector3d above = point(x, y - base, reach), below = point(x, y + base, reach);
     const double jump = 0.1 * p.z();
     const auto goes_on = [&](const Vector3d& a, const Vector3d& b) {
       return a.z() > 0 && b.z() > 0 && std::abs(a.z() - b.z()) < 2 * jump &&
@@ -56,6 +69,13 @@ class View {
  private:
   std::size_t at(std::uint32_t x, std::uint32_t y) const {
     return std::size_t{y} * frame_.depth.width + x;
+  }
+
+  std::uint32_t width() const { return frame_.depth.width; }
+  std::uint32_t height() const { return frame_.depth.height; }
+
+  double depth(std::uint32_t x, std::uint32_t y) const {
+    return camera_.depth(frame_.depth.values[at(x, y)]);
   }
 
   double brightness(std::uint32_t x, std::uint32_t y) const {
