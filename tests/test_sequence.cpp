@@ -236,6 +236,14 @@ TEST(Sequence, TrajectoriesAreWritten) {
     fs::rename(folder / (std::string(name) + file.extension().string()), file);
     expect_small(Sequence(folder / name), before.layout(), 1e-9);
   }
+  // poses of no round numbers come back to the bit
+  Sequence sequence(folder / "r", {.poses = PoseSource::None, .last = 0});
+  const Eigen::AngleAxisd turn(0.7, Eigen::Vector3d(0.3, -0.2, 0.9).normalized());
+  const Eigen::Isometry3d pose = Eigen::Translation3d(1.0 / 3, -2.0 / 7, 1e-7) * turn;
+  sequence.set_poses({pose});
+  write_trajectory(sequence, folder / "r/trajectory.log");
+  EXPECT_EQ(Sequence(folder / "r", {.last = 0}).info(0).pose.matrix(), pose.matrix());
+  EXPECT_THROW(write_trajectory(Sequence(folder / "r"), folder / "poses.txt"), Error);  // no times
   EXPECT_THROW(write_trajectory(Sequence(folder / "r"), folder / "poses.csv"), Error);
   EXPECT_THROW(write_trajectory(Sequence(folder / "r"), folder / "none/poses.log"), Error);
 }

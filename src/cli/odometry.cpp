@@ -58,7 +58,10 @@ std::string lost_frames(const Sequence& sequence,
 }  // namespace
 
 void give_poses(Sequence& sequence, const Console& console) {
-  if (sequence.size() == 1) return sequence.set_poses({Eigen::Isometry3d::Identity()});
+  if (sequence.size() == 1) {
+    sequence.set_poses({Eigen::Isometry3d::Identity()});
+    return set_upright(sequence);
+  }
   const fs::path program = find_program();
   const std::string folder = sequence.folder().string();
   if (!fs::is_regular_file(program)) {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <future>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -10,6 +9,7 @@
 #include "odometry/observability.hpp"
 #include "planescope/error.hpp"
 #include "planescope/odometry.hpp"
+#include "sequence/read_ahead.hpp"
 
 namespace planescope {
 namespace {
@@ -113,28 +113,19 @@ std::vector<std::optional<Eigen::Isometry3d>> estimate_poses(const Sequence& seq
                                                              FrameMatcher& matcher,
                                                              const OdometryOptions& options,
                                                              const Progress& progress) {
-  const auto read = [&](std::size_t i) {
-    return std::async(std::launch::async, [&sequence, i] { return sequence.read(i); });
-  };
   std::vector<Chain> chains;
-  std::future<Frame> next = read(0);  // a sequence has a frame
-  for (std::size_t i = 0; i < sequence.size(); ++i) {
-    if (progress) progress("odometry", double(i) / double(sequence.size()));
-    const Frame frame = next.get();
-    if (i + 1 < sequence.size()) next = read(i + 1);
-    if (!shows_enough(frame, sequence.camera(), options)) continue;
+  sequence::for_each_frame(sequence, "odometry", progress, [&](std::size_t i, const Frame& frame) {
+    if (!shows_enough(frame, sequence.camera(), options)) return;
     matcher.take(frame);
     if (chains.empty()) {
       chains.emplace_back(i);
-      matcher.keep();
-    } else {
-      const std::uint32_t before = sequence.info(chains.back().last()).number;
-      put_to(chains, i, frame.info.number - before, matcher, options);
+      return matcher.keep();
     }
-  }
+    const std::uint32_t before = sequence.info(chains.back().last()).number;
+    put_to(chains, i, frame.info.number - before, matcher, options);
+  });
   std::vector<std::optional<Eigen::Isometry3d>> poses(sequence.size());
   for (const auto& [frame, pose] : longest_chain(chains, sequence).poses) poses[frame] = pose;
-  if (progress) progress("odometry", 1);
   return poses;
 }
 

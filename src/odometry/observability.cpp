@@ -79,8 +79,7 @@ class View {
   }
 
   double brightness(std::uint32_t x, std::uint32_t y) const {
-    const Rgb& c = frame_.color.pixels[at(x, y)];
-    return (0.299 * c.r + 0.587 * c.g + 0.114 * c.b) / 255;
+    return odometry::brightness(frame_.color.pixels[at(x, y)]);
   }
 
   const Frame& frame_;

@@ -17,6 +17,11 @@ struct Observability {
   double texture = 0;
 };
 
+/// Brightness of a colour, [0, 1], as Open3D weights them.
+inline double brightness(const Rgb& c) {
+  return (0.2990 * c.r + 0.5870 * c.g + 0.1140 * c.b) / 255;
+}
+
 /// Of about 4800 pixels, evenly spread; normals from neighbours a fortieth of the width apart.
 Observability observe(const Frame& frame, const DepthCamera& camera);
 

@@ -15,6 +15,7 @@
 #include <string>
 
 #include "odometry/messages.hpp"
+#include "odometry/observability.hpp"
 #include "planescope/error.hpp"
 #include "planescope/odometry.hpp"
 
@@ -141,16 +142,6 @@ class Program {
   pid_t pid_ = -1;
 };
 
-/// Brightness of the pixels, [0, 1], as Open3D weights colours.
-std::vector<float> brightness(const ColorImage& color) {
-  std::vector<float> values;
-  values.reserve(color.pixels.size());
-  for (const Rgb& c : color.pixels) {
-    values.push_back((0.2990F * float(c.r) + 0.5870F * float(c.g) + 0.1140F * float(c.b)) / 255);
-  }
-  return values;
-}
-
 class Open3dMatcher final : public FrameMatcher {
  public:
   Open3dMatcher(const std::filesystem::path& path, const DepthCamera& camera, double patience)
@@ -170,7 +161,11 @@ class Open3dMatcher final : public FrameMatcher {
   }
 
   void take(const Frame& frame) override {
-    std::vector<float> values = brightness(frame.color);
+    std::vector<float> values;
+    values.reserve(frame.depth.size());
+    for (const Rgb& c : frame.color.pixels) {
+      values.push_back(static_cast<float>(odometry::brightness(c)));
+    }
     const double sum = std::accumulate(values.begin(), values.end(), 0.0);
     // Both images are brought to one mean brightness: what is as good as black cannot be.
     const bool has_color = sum > 0.01 * static_cast<double>(values.size());
